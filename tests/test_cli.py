@@ -1,0 +1,209 @@
+"""The `dhlab` command and the working copy of the notebooks."""
+
+import json
+import os
+import re
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+
+import pytest
+
+from dhlab import cli
+from dhlab.errors import DhlabError
+from dhlab.workcopy import RECORD, refresh, shipped
+
+
+@pytest.fixture
+def sources(tmp_path):
+    """Two notebooks as one version of dhlab carries them."""
+    folder = tmp_path / "carried"
+    folder.mkdir()
+    for name in ("index", "first"):
+        (folder / name).write_text(f"{name}, version 1")
+    return {f"notebooks/{name}.ipynb": folder / name for name in ("index", "first")}
+
+
+@pytest.fixture
+def folder(tmp_path):
+    return tmp_path / "copy"
+
+
+def read(folder):
+    """Text of each notebook in a working copy."""
+    return {p.stem: p.read_text() for p in folder.rglob("*.ipynb")}
+
+
+def test_a_new_working_copy_holds_every_notebook(sources, folder):
+    done = refresh(folder, sources)
+    assert done.copied == tuple(sources)
+    assert read(folder) == {"index": "index, version 1", "first": "first, version 1"}
+
+
+def test_a_second_run_does_nothing(sources, folder):
+    refresh(folder, sources)
+    before = {p: p.stat().st_mtime_ns for p in folder.rglob("*.ipynb")}
+    done = refresh(folder, sources)
+    assert (done.copied, done.updated, done.kept) == ((), (), ())
+    assert {p: p.stat().st_mtime_ns for p in folder.rglob("*.ipynb")} == before
+
+
+def test_an_unchanged_notebook_follows_a_newer_dhlab(sources, folder):
+    refresh(folder, sources)
+    sources["notebooks/first.ipynb"].write_text("first, version 2")
+    assert refresh(folder, sources).updated == ("notebooks/first.ipynb",)
+    assert read(folder)["first"] == "first, version 2"
+
+
+def test_a_changed_notebook_is_never_overwritten(sources, folder):
+    refresh(folder, sources)
+    mine = folder / "notebooks/first.ipynb"
+    mine.write_text("my own answer")
+    assert refresh(folder, sources).kept == ()
+    sources["notebooks/first.ipynb"].write_text("first, version 2")
+    for _ in range(2):
+        assert refresh(folder, sources).kept == ("notebooks/first.ipynb",)
+        assert mine.read_text() == "my own answer"
+
+
+def test_a_file_that_dhlab_did_not_write_is_never_overwritten(sources, folder):
+    mine = folder / "notebooks/first.ipynb"
+    mine.parent.mkdir(parents=True)
+    mine.write_text("here before dhlab came")
+    done = refresh(folder, sources)
+    assert (done.copied, done.kept) == (("notebooks/index.ipynb",), ("notebooks/first.ipynb",))
+    assert mine.read_text() == "here before dhlab came"
+
+
+def test_a_notebook_renamed_by_its_owner_comes_afresh(sources, folder):
+    refresh(folder, sources)
+    mine = folder / "notebooks/first.ipynb"
+    mine.write_text("my own answer")
+    mine.rename(folder / "notebooks/mine.ipynb")
+    assert refresh(folder, sources).copied == ("notebooks/first.ipynb",)
+    assert read(folder)["mine"] == "my own answer"
+    assert read(folder)["first"] == "first, version 1"
+
+
+def test_a_change_taken_back_follows_newer_versions_again(sources, folder):
+    refresh(folder, sources)
+    mine = folder / "notebooks/first.ipynb"
+    sources["notebooks/first.ipynb"].write_text("first, version 2")
+    mine.write_text("first, version 2")
+    assert refresh(folder, sources).updated == ()
+    sources["notebooks/first.ipynb"].write_text("first, version 3")
+    assert refresh(folder, sources).updated == ("notebooks/first.ipynb",)
+
+
+@pytest.mark.parametrize("damage", ["{", "[]"])
+def test_a_damaged_record_is_told_and_nothing_is_touched(sources, folder, damage):
+    folder.mkdir()
+    (folder / RECORD).write_text(damage)
+    with pytest.raises(DhlabError, match=r"\.dhlab-copies\.json is damaged .*move it away"):
+        refresh(folder, sources)
+    assert read(folder) == {}
+
+
+def test_the_notebooks_that_came_with_dhlab_start_with_an_index():
+    assert cli.INDEX in shipped()
+
+
+def test_a_student_gets_no_solutions_and_no_hidden_files():
+    for name in shipped():
+        assert not re.search(r"(^|/)\.", name), name
+        assert not re.fullmatch(r"exercises/.*\.py", name), name
+
+
+def test_help_names_every_command_and_its_options(capsys):
+    with pytest.raises(SystemExit, match="0"):
+        cli.main(["--help"])
+    text = capsys.readouterr().out
+    for add in cli.COMMANDS:
+        assert re.search(rf"^ +{add.__name__.removeprefix('add_')} ", text, re.MULTILINE)
+    with pytest.raises(SystemExit, match="0"):
+        cli.main(["lab", "--help"])
+    text = capsys.readouterr().out
+    for option in ("--dir", "--no-browser", "--port", "--no-token", "never overwritten"):
+        assert option in text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ([], "required: COMMAND"),
+        (["lobby"], "invalid choice: 'lobby'"),
+        (["lab", "--port", "many"], "a port is a number from 1 to 65535, got 'many'"),
+        (["lab", "--port", "70000"], "a port is a number from 1 to 65535, got '70000'"),
+    ],
+)
+def test_a_wrong_command_line_says_what_was_wanted(arguments, words, capsys):
+    with pytest.raises(SystemExit, match="2"):
+        cli.main(arguments)
+    assert words in capsys.readouterr().err
+
+
+def test_a_folder_that_cannot_be_written_is_one_sentence(tmp_path, capsys):
+    (tmp_path / "file").write_text("not a folder")
+    assert cli.main(["lab", "--dir", str(tmp_path / "file" / "copy")]) == 2
+    assert re.match(r"dhlab: .*file.*\n$", capsys.readouterr().err)
+
+
+def test_jupyterlab_asks_for_a_token_unless_told_otherwise(tmp_path):
+    def arguments(*words):
+        return cli.server_arguments(cli.parser().parse_args(["lab", *words]), tmp_path)
+
+    assert not any("token" in word for word in arguments("--no-browser", "--port", "9000"))
+    assert "--IdentityProvider.token=" in arguments("--no-token")
+    assert "--ServerApp.port=9000" in arguments("--port", "9000")
+
+
+def test_what_was_done_is_told_in_lines(sources, folder):
+    done = refresh(folder, sources)
+    assert cli.told(done) == [
+        "dhlab: new in your copy: notebooks/index.ipynb, notebooks/first.ipynb"
+    ]
+    assert cli.told(refresh(folder, sources)) == []
+
+
+@pytest.fixture
+def server(tmp_path):
+    """A running `dhlab lab` without a token: its address and what it has said, read at the end."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    command = [sys.executable, "-m", "dhlab", "lab", "--no-browser", "--no-token"]
+    home = {name: str(tmp_path / name) for name in ("HOME", "JUPYTER_DATA_DIR", "IPYTHONDIR")}
+    process = subprocess.Popen(
+        [*command, "--port", str(port), "--dir", "work"],
+        cwd=tmp_path,
+        env=os.environ | home,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    yield f"http://127.0.0.1:{port}"
+    process.terminate()
+    process.wait(timeout=20)
+
+
+def fetch(address, seconds=30.0):
+    """Answer of a server that may still be starting."""
+    end = time.monotonic() + seconds
+    while True:
+        try:
+            with urllib.request.urlopen(address, timeout=seconds) as answer:
+                return answer.read().decode()
+        except (urllib.error.URLError, ConnectionError):
+            if time.monotonic() > end:
+                raise
+            time.sleep(0.1)
+
+
+def test_lab_serves_the_working_copy_and_saves_the_state_of_widgets(server):
+    index = json.loads(fetch(f"{server}/api/contents/{cli.INDEX}"))
+    assert index["type"] == "notebook"
+    plugin = "@jupyter-widgets/jupyterlab-manager:plugin"
+    settings = json.loads(fetch(f"{server}/lab/api/settings/{plugin}"))
+    assert settings["schema"]["properties"]["saveState"]["default"] is True

@@ -41,7 +41,7 @@ def test_every_dependency_says_why_it_is_there():
     core = tomllib.loads(text)["project"]["dependencies"]
     for requirement in core:
         assert ">=" in requirement
-        assert re.search(rf'"{re.escape(requirement)}", +# \w', text), requirement
+        assert re.search(rf"\"{re.escape(requirement)}\", +# \w", text), requirement
 
 
 @pytest.mark.parametrize("script", ["tests/run", ".ci/run"])

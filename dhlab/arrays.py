@@ -7,6 +7,8 @@ came, what was wanted. Behind the door nothing is checked again.
 
 import re
 from collections.abc import Sequence
+from types import EllipsisType
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 from dhlab.errors import InputError
 
 RIGID_TOLERANCE = 1e-6
+
+Shape: TypeAlias = tuple[int | EllipsisType | None, ...]
 
 
 def read_only(a: ArrayLike) -> NDArray[np.float64]:
@@ -34,8 +38,8 @@ def read_only(a: ArrayLike) -> NDArray[np.float64]:
     return own
 
 
-def as_array(value: ArrayLike, shape: tuple[int | None, ...], what: str) -> NDArray[np.float64]:
-    """Finite numbers of a given shape; None in `shape` stands for any length.
+def as_array(value: ArrayLike, shape: Shape, what: str) -> NDArray[np.float64]:
+    """Finite numbers of a given shape: None is any length, `...` in front any axes before.
 
     Examples
     --------
@@ -58,7 +62,7 @@ def as_array(value: ArrayLike, shape: tuple[int | None, ...], what: str) -> NDAr
 
 
 def as_vector(value: ArrayLike, what: str, length: int = 3) -> NDArray[np.float64]:
-    """A vector, shape (length,)."""
+    """Vector, shape (length,)."""
     return as_array(value, (length,), what)
 
 
@@ -67,8 +71,8 @@ def as_points(value: ArrayLike, what: str, dimension: int = 3) -> NDArray[np.flo
     return as_array(value, (None, dimension), what)
 
 
-def as_rotation(value: ArrayLike, what: str) -> NDArray[np.float64]:
-    """A rotation matrix, shape (3, 3).
+def as_rotation(value: ArrayLike, what: str, leading: Shape = ()) -> NDArray[np.float64]:
+    """Rotation matrix, shape (3, 3), or an array of them: shape (*leading, 3, 3).
 
     Examples
     --------
@@ -77,13 +81,13 @@ def as_rotation(value: ArrayLike, what: str) -> NDArray[np.float64]:
     ...
     dhlab.errors.InputError: R is not a rotation: its y axis has length 2, it must have length 1
     """
-    R = as_array(value, (3, 3), what)
+    R = as_array(value, (*leading, 3, 3), what)
     _check_rotations(R, what)
     return R
 
 
-def as_pose(value: ArrayLike, what: str) -> NDArray[np.float64]:
-    """A pose, shape (4, 4): a rotation, an origin, and the row 0 0 0 1.
+def as_pose(value: ArrayLike, what: str, leading: Shape = ()) -> NDArray[np.float64]:
+    """Pose, shape (4, 4): rotation, origin and the row 0 0 0 1; or shape (*leading, 4, 4).
 
     Examples
     --------
@@ -93,24 +97,21 @@ def as_pose(value: ArrayLike, what: str) -> NDArray[np.float64]:
     dhlab.errors.InputError: pose of 'cube' is not a rotation but a reflection: its determinant \
 is -1, its axes are left-handed
     """
-    T = as_array(value, (4, 4), what)
+    T = as_array(value, (*leading, 4, 4), what)
     _check_last_rows(T, what)
-    _check_rotations(T[:3, :3], what)
+    _check_rotations(T[..., :3, :3], what)
     return T
 
 
 def as_poses(value: ArrayLike, what: str) -> NDArray[np.float64]:
     """One pose per step, shape (steps, 4, 4)."""
-    T = as_array(value, (None, 4, 4), what)
-    _check_last_rows(T, what)
-    _check_rotations(T[:, :3, :3], what)
-    return T
+    return as_pose(value, what, leading=(None,))
 
 
 def as_placement(
     value: ArrayLike, what: str, current: NDArray[np.float64] | None = None
 ) -> NDArray[np.float64]:
-    """A pose from an origin alone (3-vector), a pose, or, where there is `current`, a rotation.
+    """Pose from an origin alone (3-vector), a pose, or, where there is `current`, a rotation.
 
     What is not given stays as in `current`: an origin keeps its orientation, a rotation its
     origin. Without `current` an origin stands with the axes of its parent.
@@ -231,7 +232,7 @@ def as_number(
 
 
 def as_name(value: object, what: str) -> str:
-    """A name: text, not blank, without "/" (which joins names to paths)."""
+    """Name: text, not blank, without "/" (which joins names to paths)."""
     if not isinstance(value, str) or not value.strip() or "/" in value:
         raise InputError(f"{what} must be text, not empty and without '/', got {value!r}")
     return value
@@ -248,12 +249,14 @@ def _numbers(value: object, what: str) -> NDArray[np.float64]:
     return raw.astype(np.float64, copy=False)
 
 
-def _check_shape(a: NDArray[np.float64], shape: tuple[int | None, ...], what: str) -> None:
-    wanted = ["m" if length is None else str(length) for length in shape]
-    got = [w if w == "m" else str(length) for w, length in zip(wanted, a.shape, strict=False)]
-    if a.ndim != len(shape) or got != wanted:
-        text = f"({wanted[0]},)" if len(wanted) == 1 else f"({', '.join(wanted)})"
-        raise InputError(f"{what} must have shape {text}, got {a.shape}")
+def _check_shape(a: NDArray[np.float64], shape: Shape, what: str) -> None:
+    last = shape[1:] if shape[:1] == (...,) else shape
+    before = a.ndim - len(last)
+    fits = before == 0 or (before > 0 and last != shape)
+    if not fits or any(w not in (None, n) for w, n in zip(last, a.shape[before:], strict=True)):
+        wanted = ["..."] * (fits and before > 0) + ["m" if w is None else str(w) for w in last]
+        text = ", ".join(wanted) + "," * (len(wanted) == 1)
+        raise InputError(f"{what} must have shape ({text}), got {a.shape}")
 
 
 def _check_last_rows(T: NDArray[np.float64], what: str) -> None:
@@ -261,7 +264,7 @@ def _check_last_rows(T: NDArray[np.float64], what: str) -> None:
     if wrong.any():
         T, what = _first(T, wrong, what)
         row = ", ".join(f"{x:g}" for x in T[3])
-        hint = " (is it transposed?)" if np.allclose(T[:3, 3], 0) else ""
+        hint = " (is it transposed?)" if T[3, :3].any() and not T[:3, 3].any() else ""
         raise InputError(f"{what} has the last row [{row}], it must be [0, 0, 0, 1]{hint}")
 
 
@@ -290,8 +293,6 @@ def _why_not_orthonormal(R: NDArray[np.float64]) -> str:
 
 
 def _first(a: NDArray[np.float64], wrong: ArrayLike, what: str) -> tuple[NDArray[np.float64], str]:
-    """The first wrong matrix of a batch (or the only one) and its name."""
-    if a.ndim == 2:
-        return a, what
-    step = int(np.argmax(wrong))
-    return a[step], f"{what} [{step}]"
+    """First wrong matrix of an array of them (or the only one), and its name."""
+    index = tuple(np.argwhere(wrong)[0].tolist())
+    return a[index], f"{what} {list(index)}" if index else what

@@ -31,6 +31,8 @@ class LimitError(DhlabError, ValueError):
         What the joint allows: lower and upper limit.
     kind : {'r', 'p'}
         Revolute (rad) or prismatic (m).
+    hint : str
+        What to do, where there is more to say.
 
     Examples
     --------
@@ -47,13 +49,15 @@ class LimitError(DhlabError, ValueError):
         value: float,
         interval: tuple[float, float],
         kind: Literal["r", "p"] = "r",
+        hint: str = "",
     ) -> None:
-        super().__init__(component, joint, value, interval, kind)
+        super().__init__(component, joint, value, interval, kind, hint)
         self.component = component
         self.joint = joint
         self.value = value
         self.interval = interval
         self.kind = kind
+        self.hint = hint
 
     def __str__(self) -> str:
         """Where, what came, and what is allowed."""
@@ -62,10 +66,11 @@ class LimitError(DhlabError, ValueError):
         value = f"{self.value:.{digits}f} m"
         if self.kind == "r":
             value = f"{self.value:.{digits}f} rad ({degrees(self.value):.1f} deg)"
-        return (
+        message = (
             f"joint {self.joint} of '{self.component}': {value} "
             f"is outside [{lower:z.{digits}f}, {upper:z.{digits}f}]"
         )
+        return f"{message}; {self.hint}" if self.hint else message
 
 
 class DegreesWarning(UserWarning):

@@ -1,0 +1,142 @@
+"""The four verbs that a picture is changed with, and the difference between two pictures."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Protocol, TypeAlias
+
+from dhlab.scene.node import Node, same_body, same_paint, same_place
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Put:
+    """A node is new, or draws another shape than before; what hangs on it stays.
+
+    Attributes
+    ----------
+    path : str
+    node : Node
+    """
+
+    path: str
+    node: Node
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Place:
+    """A node stands elsewhere, or its planned motion is another one.
+
+    Attributes
+    ----------
+    path : str
+    node : Node
+        Of this only `pose`, `value` and `curve` are meant.
+    """
+
+    path: str
+    node: Node
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Paint:
+    """A node looks different.
+
+    Attributes
+    ----------
+    path : str
+    node : Node
+        Of this only `style` and `visible` are meant.
+    """
+
+    path: str
+    node: Node
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Remove:
+    """A node goes, with everything that hangs on it.
+
+    Attributes
+    ----------
+    path : str
+    """
+
+    path: str
+
+
+Command: TypeAlias = Put | Place | Paint | Remove
+
+
+class Backend(Protocol):
+    """Whatever shows a picture: it takes commands in batches, and knows no handles."""
+
+    def send(self, batch: list[Command]) -> None:
+        """Change the picture by one batch, as a whole."""
+
+
+def diff(old: Mapping[str, Node], new: Mapping[str, Node]) -> list[Command]:
+    """Return the commands that turn one picture into another.
+
+    Parameters
+    ----------
+    old, new : mapping of str to Node
+        Pictures by path, parents before their children.
+
+    Returns
+    -------
+    commands : list of Put, Place, Paint, Remove
+        Nothing for a node that did not change; one `Remove` for a subtree that goes.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from dhlab.scene.node import Node
+    >>> there = Node(pose=np.diag([1.0, 1, 1, 1]) + np.eye(4, k=3))
+    >>> [type(c).__name__ for c in diff({"a": Node(), "b": Node()}, {"a": there, "c": Node()})]
+    ['Remove', 'Place', 'Put']
+    """
+    commands: list[Command] = [
+        Remove(path) for path in old if path not in new and _parent(path) not in old.keys() - new
+    ]
+    for path, node in new.items():
+        before = old.get(path)
+        if before is not node:
+            commands.extend(_changes(path, before, node))
+    return commands
+
+
+def apply(nodes: dict[str, Node], batch: Iterable[Command]) -> None:
+    """Change a picture, a dict of nodes by path, as a batch says.
+
+    Parameters
+    ----------
+    nodes : dict of str to Node
+        Changed in place.
+    batch : iterable of Put, Place, Paint, Remove
+    """
+    for command in batch:
+        match command:
+            case Put(path, node):
+                nodes[path] = node
+            case Place(path, node):
+                place = {"pose": node.pose, "value": node.value, "curve": node.curve}
+                nodes[path] = replace(nodes[path], **place)
+            case Paint(path, node):
+                nodes[path] = replace(nodes[path], style=node.style, visible=node.visible)
+            case Remove(path):
+                for gone in [p for p in nodes if p == path or p.startswith(f"{path}/")]:
+                    del nodes[gone]
+
+
+def _changes(path: str, before: Node | None, node: Node) -> list[Command]:
+    if before is None or not same_body(before, node):
+        return [Put(path, node)]
+    commands: list[Command] = []
+    if not same_place(before, node):
+        commands.append(Place(path, node))
+    if not same_paint(before, node):
+        commands.append(Paint(path, node))
+    return commands
+
+
+def _parent(path: str) -> str:
+    return path.rpartition("/")[0]

@@ -1,0 +1,75 @@
+/**
+ * The module that each view's widget carries: it fetches the viewer, which lies once per page in
+ * a widget of its own, and hands it the widget's messages.
+ */
+import { sharedPage } from "./page.js";
+
+const PATIENCE = 240;
+
+function library(model) {
+  const { libraries } = sharedPage();
+  const digest = model.get("library_digest");
+  if (!libraries.has(digest)) {
+    const loading = load(model);
+    loading.catch(() => libraries.delete(digest));
+    libraries.set(digest, loading);
+  }
+  return libraries.get(digest);
+}
+
+async function load(model) {
+  const id = model.get("library").replace(/^IPY_MODEL_/, "");
+  const host = await model.widget_manager.get_model(id);
+  const page = sharedPage();
+  page.meshcat ??= evaluateUmd(host.get("meshcat"));
+  const url = URL.createObjectURL(new Blob([host.get("viewer")], { type: "text/javascript" }));
+  try {
+    return await import(url);
+  } finally {
+    URL.revokeObjectURL(url);
+  }
+}
+
+/** Run a UMD script so that it meets neither a `define` nor an `exports` of the page. */
+function evaluateUmd(source) {
+  const module = { exports: {} };
+  new Function("module", "exports", "define", source)(module, module.exports, undefined);
+  return module.exports;
+}
+
+/** Messages may come before the viewer is there; what is too much is made up for by a snapshot. */
+function openSession(model) {
+  let waiting = [];
+  let deliver = (message) => {
+    if (waiting.push(message) > PATIENCE) waiting = [];
+  };
+  model.on("msg:custom", (content, buffers) => deliver([content, buffers]));
+  const ready = library(model).then(({ Connection }) => {
+    const connection = new Connection(model);
+    deliver = ([content, buffers]) => connection.receive(content, buffers);
+    waiting.forEach(deliver);
+    return connection;
+  });
+  ready.catch((error) => console.error("dhlab: the viewer could not be loaded.", error));
+  return ready;
+}
+
+export default () => {
+  let ready;
+  return {
+    initialize({ model }) {
+      ready = openSession(model);
+      return () => ready.then((connection) => connection.close());
+    },
+    async render({ model, el }) {
+      const connection = await ready;
+      const stage = connection.open(el, {
+        height: model.get("height"),
+        background: model.get("background"),
+        grid: model.get("grid"),
+        controls: model.get("controls"),
+      });
+      return () => stage.close();
+    },
+  };
+};

@@ -1,0 +1,58 @@
+/**
+ * meshcat's viewer, kept on a leash: it sizes itself by the window, listens to the window for
+ * ever and brings a scene of its own. Here it draws when told, in the size of its pane, and goes
+ * without a trace.
+ */
+import { sharedPage } from "./page.js";
+
+export const { THREE, Viewer } = sharedPage().meshcat;
+
+/** A meshcat viewer in `pane` that calls `changed()` when it wants to be drawn. */
+export function createMeshcat(pane, changed) {
+  const renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
+  pane.append(renderer.domElement);
+  const { viewer, listeners } = constructAside(pane, renderer);
+  const setSize = viewer.set_3d_pane_size.bind(viewer);
+  viewer.set_3d_pane_size = (width = pane.clientWidth, height = pane.clientHeight) =>
+    setSize(Math.max(width, 1), Math.max(height, 1));
+  viewer.set_dirty = () => {
+    viewer.needs_render = true;
+    changed();
+  };
+  for (const path of ["Lights", "Grid", "Axes", "Background"]) viewer.delete_path([path]);
+  viewer.hide_background();
+  return {
+    viewer,
+    dispose() {
+      for (const [type, listener, options] of listeners) {
+        window.removeEventListener(type, listener, options);
+      }
+      viewer.set_dirty = () => {};
+      viewer.set_3d_pane_size = () => {};
+      viewer.controls.dispose();
+      viewer.gui.domElement.remove();
+      renderer.dispose();
+      renderer.forceContextLoss();
+      renderer.domElement.remove();
+    },
+  };
+}
+
+/** Construct the viewer and note what it hangs on the window, which it never takes off again. */
+function constructAside(pane, renderer) {
+  const listeners = [];
+  const listen = window.addEventListener;
+  const before = window.onload;
+  window.addEventListener = function (...what) {
+    listeners.push(what);
+    return listen.apply(window, what);
+  };
+  try {
+    const viewer = new Viewer(pane, false, renderer);
+    return { viewer, listeners };
+  } finally {
+    delete window.addEventListener;
+    if (window.addEventListener !== listen) window.addEventListener = listen;
+    window.onload = before;
+  }
+}

@@ -1,0 +1,203 @@
+/**
+ * The scene of one view as the page knows it: its nodes, their geometry and their planned motions.
+ * It draws nothing; each output of the view watches it. A batch is checked as a whole before it
+ * changes anything.
+ *
+ * A node has the state that Python assigned (`pose`, `value`) and what is `shown`: the same, unless
+ * a planned motion plays or a slider of the page is ahead of the kernel.
+ */
+import { Motions } from "./motions.js";
+import { IDENTITY, multiply, shownPose } from "./motion.js";
+import { sharedPage } from "./page.js";
+
+const HOLD = 300;
+
+export class Scene {
+  #joints = new Map();
+  #motions = new Motions(this);
+  #leave;
+
+  constructor() {
+    this.nodes = new Map();
+    this.paths = new Map();
+    this.geometry = new Map();
+    this.sequence = -1;
+    this.observers = new Set();
+    this.#leave = sharedPage().subscribe((changes, source) => this.#follow(changes, source));
+  }
+
+  /** Change the scene by one decoded batch; `live` motions that are new start to play. */
+  apply(batch, live) {
+    this.#check(batch);
+    if (batch.fresh) this.#removeAll();
+    for (const id of batch.removes) this.#remove(this.nodes.get(id));
+    for (const [digest, shape] of batch.geometry) this.geometry.set(digest, shape);
+    for (const put of batch.puts) this.#put(put);
+    batch.joints.ids.forEach((id, i) => this.#place(id, "value", batch.joints.values[i]));
+    batch.poses.ids.forEach((id, i) => this.#place(id, "pose", batch.poses.poses[i]));
+    for (const { id, style, visible } of batch.paints) this.#paint(id, style, visible);
+    for (const { id, curve } of batch.curves) this.nodes.get(id).curve = curve;
+    this.sequence = batch.sequence;
+    this.#motions.update(batch.clocks, (clock) => live || batch.play.includes(clock));
+    this.#dropUnusedGeometry();
+    this.tell("changed");
+  }
+
+  /** Pose of the node at `path` in the world, 12 numbers, joints and motions as they are shown. */
+  pose(path) {
+    const node = this.nodes.get(this.paths.get(path));
+    if (!node) return null;
+    return node.parent ? multiply(this.pose(node.parent.path), shownPose(node)) : shownPose(node);
+  }
+
+  /** The players of the motions in this scene, the newest last. */
+  get players() {
+    return this.#motions.players;
+  }
+
+  tell(event, ...about) {
+    for (const observer of this.observers) observer[event](...about);
+  }
+
+  close() {
+    this.#leave();
+    this.#motions.close();
+    this.observers.clear();
+  }
+
+  #check(batch) {
+    const gone = new Set(batch.fresh ? this.nodes.keys() : batch.removes.flatMap((id) => this.#under(id)));
+    const ids = new Set([...this.nodes.keys()].filter((id) => !gone.has(id)));
+    const paths = new Set([...ids].map((id) => this.nodes.get(id).path));
+    const joints = new Set([...ids].filter((id) => this.nodes.get(id).joint));
+    for (const put of batch.puts) {
+      const parent = parentOf(put.path);
+      if (parent !== null && !paths.has(parent)) throw new Error(`no parent for '${put.path}'`);
+      if (ids.has(put.id) !== paths.has(put.path)) throw new Error(`two nodes '${put.path}'`);
+      if (put.shape !== null && !batch.geometry.has(put.shape) && !this.geometry.has(put.shape)) {
+        throw new Error(`no geometry ${put.shape}`);
+      }
+      ids.add(put.id);
+      paths.add(put.path);
+      if (put.joint) joints.add(put.id);
+      else joints.delete(put.id);
+    }
+    const expect = (set, id) => {
+      if (!set.has(id)) throw new Error(`no node ${id} of this kind`);
+    };
+    batch.joints.ids.forEach((id) => expect(joints, id));
+    for (const id of batch.poses.ids) expect(ids, id);
+    for (const { id } of [...batch.paints, ...batch.curves]) expect(ids, id);
+    this.#motions.check(batch);
+  }
+
+  #under(id) {
+    const node = this.nodes.get(id);
+    if (!node) throw new Error(`no node ${id}`);
+    return [id, ...[...node.children].flatMap((child) => this.#under(child.id))];
+  }
+
+  #put(put) {
+    const old = this.nodes.get(put.id);
+    if (old) this.#forgetJoint(old);
+    const node = Object.assign(old ?? { children: new Set(), parent: null }, put, {
+      shape: put.shape === null ? null : this.geometry.get(put.shape),
+      digest: put.shape,
+      shown: { value: put.value, pose: put.pose, count: Infinity },
+      heldUntil: 0,
+    });
+    if (!old) {
+      this.nodes.set(node.id, node);
+      this.paths.set(node.path, node.id);
+      node.parent = this.nodes.get(this.paths.get(parentOf(node.path))) ?? null;
+      node.parent?.children.add(node);
+    }
+    if (node.joint) this.#rememberJoint(node);
+    this.tell(old ? "reshaped" : "added", node);
+  }
+
+  #place(id, what, state) {
+    const node = this.nodes.get(id);
+    node[what] = state;
+    if (what === "value" && performance.now() < node.heldUntil) return;
+    node.shown[what] = state;
+    if (what === "value") sharedPage().joints.set(node.joint.key, state);
+    this.tell("moved", node);
+  }
+
+  #paint(id, style, visible) {
+    const node = this.nodes.get(id);
+    Object.assign(node, { style, visible });
+    this.tell("painted", node);
+  }
+
+  #remove(node) {
+    if (!node) return;
+    for (const child of [...node.children]) this.#remove(child);
+    this.#forgetJoint(node);
+    node.parent?.children.delete(node);
+    this.nodes.delete(node.id);
+    this.paths.delete(node.path);
+    this.tell("removed", node);
+  }
+
+  #removeAll() {
+    for (const node of [...this.nodes.values()]) if (!node.parent) this.#remove(node);
+  }
+
+  #rememberJoint(node) {
+    const { key } = node.joint;
+    if (!this.#joints.has(key)) this.#joints.set(key, new Set());
+    this.#joints.get(key).add(node);
+    sharedPage().joints.set(key, node.shown.value);
+  }
+
+  #forgetJoint(node) {
+    const nodes = node.joint && this.#joints.get(node.joint.key);
+    nodes?.delete(node);
+    if (nodes?.size === 0) this.#joints.delete(node.joint.key);
+  }
+
+  #dropUnusedGeometry() {
+    const used = new Set([...this.nodes.values()].map((node) => node.digest));
+    for (const digest of this.geometry.keys()) if (!used.has(digest)) this.geometry.delete(digest);
+  }
+
+  /**
+   * Joints that somebody on the page moved. A slider is ahead of the kernel: for a moment older
+   * values that still come from there do not pull the joint back.
+   */
+  #follow(changes, source) {
+    if (this.#motions.plays(source)) return;
+    let moved = false;
+    for (const [key, value] of changes) {
+      if (!Number.isFinite(value)) continue;
+      for (const node of this.#joints.get(key) ?? []) {
+        this.#motions.release(node);
+        node.shown.value = value;
+        this.#hold(node);
+        this.tell("moved", node);
+        moved = true;
+      }
+    }
+    if (moved) this.tell("changed");
+  }
+
+  #hold(node) {
+    const assigned = node.value;
+    clearTimeout(node.settling);
+    node.heldUntil = performance.now() + HOLD;
+    node.settling = setTimeout(() => {
+      node.heldUntil = 0;
+      if (node.value === assigned || this.nodes.get(node.id) !== node || node.curve) return;
+      node.shown.value = node.value;
+      this.tell("moved", node);
+      this.tell("changed");
+    }, HOLD);
+  }
+}
+
+function parentOf(path) {
+  const cut = path.lastIndexOf("/");
+  return cut < 0 ? null : path.slice(0, cut);
+}

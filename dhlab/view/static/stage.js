@@ -1,0 +1,239 @@
+/**
+ * One output of a view: a canvas with its bars. It draws only when something changed and only
+ * while it can be seen, and takes everything with it when it closes.
+ */
+import { Camera, DIRECTIONS } from "./camera.js";
+import { createMeshcat, THREE } from "./meshcat.js";
+import { PlayerBar } from "./playerbar.js";
+import { STYLE } from "./style.js";
+import { Surroundings, haloOf } from "./surroundings.js";
+import { actionOfKey, createToolbar } from "./toolbar.js";
+import { Tree } from "./tree.js";
+
+const LOST = "The browser has taken this picture's graphics memory. It comes back by itself; \
+if not, show the view again.";
+
+export class Stage {
+  #frame = null;
+  #inSight = true;
+  #touched = false;
+  #stale = { bounds: true, shadows: true };
+  #box = new THREE.Box3();
+  #points = [];
+  #framed = null;
+  #observers = [];
+
+  constructor(scene, element, { height, background, grid, controls }) {
+    this.scene = scene;
+    this.#build(element, height);
+    this.meshcat = createMeshcat(this.pane, () => this.draw());
+    this.viewer = this.meshcat.viewer;
+    this.canvas = this.viewer.renderer.domElement;
+    if (!controls) this.viewer.gui.domElement.style.display = "none";
+    this.camera = new Camera(this.viewer, () => (this.#touched = true));
+    this.surroundings = new Surroundings(this.viewer.scene, this.viewer.renderer);
+    this.surroundings.ground.object.visible = grid;
+    this.caption.hidden = !grid;
+    const ratio = Math.max(2, Math.min(window.devicePixelRatio || 1, 3));
+    this.tree = new Tree(scene, { halo: haloOf(background), ratio });
+    this.viewer.set_object(["dhlab"], this.tree.root);
+    this.setBackground(background);
+    this.#watch();
+    this.#resize();
+    scene.observers.add(this);
+    this.changed();
+    this.playersChanged();
+  }
+
+  added(node) {
+    this.tree.added(node);
+    this.#stale.bounds ||= "grown";
+  }
+
+  reshaped(node) {
+    this.tree.reshaped(node);
+    this.#stale.bounds ||= "grown";
+  }
+
+  removed(node) {
+    this.tree.removed(node);
+    this.#stale.bounds ||= "grown";
+  }
+
+  moved(node) {
+    this.tree.moved(node);
+    this.#stale.moved = true;
+  }
+
+  painted(node) {
+    this.tree.painted(node);
+    this.#stale.bounds ||= "grown";
+  }
+
+  playersChanged() {
+    this.playerBar.follow(this.scene.players.at(-1) ?? null);
+  }
+
+  /** The scene has changed by one batch or one instant. */
+  changed() {
+    this.#stale.shadows = true;
+    this.draw();
+  }
+
+  /** Draw in the next frame, if anybody can see it. */
+  draw() {
+    if (this.#frame !== null || !this.#inSight) return;
+    this.#frame = requestAnimationFrame(() => {
+      this.#frame = null;
+      this.render();
+    });
+  }
+
+  render() {
+    this.#measure();
+    const center = this.#box.isEmpty() ? new THREE.Vector3() : this.#box.getCenter(new THREE.Vector3());
+    const radius = this.#box.isEmpty() ? 1 : 0.5 * this.#box.getSize(new THREE.Vector3()).length();
+    this.camera.clip(center, Math.max(radius, 1e-3), this.surroundings.ground.radius);
+    this.viewer.renderer.shadowMap.needsUpdate = this.#stale.shadows;
+    this.#stale.shadows = false;
+    this.viewer.render();
+  }
+
+  act(name) {
+    if (name === "fit") this.look(undefined);
+    else if (name === "full") this.#toggleFullScreen();
+    else if (name === "background") {
+      this.setBackground(this.background === "light" ? "dark" : "light");
+    } else this.look(DIRECTIONS[name]);
+  }
+
+  /** Fit the scene, seen from a direction or from where the camera stands. */
+  look(direction, glide = true) {
+    this.#stale.bounds ||= true;
+    this.#measure(false);
+    this.camera.fit(this.#fitPoints(), direction, glide);
+    this.#touched = false;
+    this.draw();
+  }
+
+  setBackground(background) {
+    this.background = background;
+    this.element.dataset.background = background;
+    this.surroundings.setBackground(background);
+    this.tree.setHalo(haloOf(background));
+    this.draw();
+  }
+
+  close() {
+    this.#inSight = false;
+    this.scene.observers.delete(this);
+    if (this.#frame !== null) cancelAnimationFrame(this.#frame);
+    this.camera.stop();
+    this.playerBar.follow(null);
+    for (const observer of this.#observers) observer.disconnect();
+    this.tree.dispose();
+    this.surroundings.dispose();
+    this.meshcat.dispose();
+    this.element.remove();
+  }
+
+  #build(element, height) {
+    this.element = document.createElement("div");
+    this.element.className = "dhlab-view";
+    this.element.tabIndex = 0;
+    this.element.setAttribute("role", "figure");
+    this.element.setAttribute("aria-label", "Scene in three dimensions");
+    this.element.setAttribute("data-lm-suppress-shortcuts", "true");
+    this.element.style.height = `${height}px`;
+    const style = document.createElement("style");
+    style.textContent = STYLE;
+    this.pane = document.createElement("div");
+    this.pane.className = "dhlab-pane";
+    this.caption = document.createElement("div");
+    this.caption.className = "dhlab-caption";
+    this.notice = document.createElement("div");
+    this.notice.className = "dhlab-notice";
+    this.notice.textContent = LOST;
+    this.notice.hidden = true;
+    this.playerBar = new PlayerBar();
+    const toolbar = createToolbar((name) => this.act(name));
+    this.element.append(style, this.pane, this.playerBar.element, this.caption, toolbar, this.notice);
+    element.append(this.element);
+  }
+
+  #watch() {
+    const size = new ResizeObserver(() => this.#resize());
+    size.observe(this.pane);
+    const sight = new IntersectionObserver(([entry]) => {
+      this.#inSight = entry.isIntersecting;
+      this.draw();
+    });
+    sight.observe(this.element);
+    this.#observers.push(size, sight);
+    this.canvas.addEventListener("webglcontextlost", () => (this.notice.hidden = false));
+    this.canvas.addEventListener("webglcontextrestored", () => {
+      this.notice.hidden = true;
+      this.changed();
+    });
+    this.element.addEventListener("keydown", (event) => this.#key(event));
+    this.element.addEventListener("pointerdown", ({ target }) => {
+      if (target === this.canvas) this.element.focus({ preventScroll: true });
+    });
+    this.element.addEventListener(
+      "wheel",
+      (event) => {
+        if (!this.element.matches(":focus-within, :fullscreen")) event.stopPropagation();
+      },
+      { capture: true },
+    );
+  }
+
+  #key(event) {
+    if (event.target !== this.element || event.ctrlKey || event.metaKey || event.altKey) return;
+    const action = actionOfKey(event.key);
+    if (action) this.act(action);
+    else if (event.key === " ") this.playerBar.toggle();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  #resize() {
+    const { clientWidth: width, clientHeight: height } = this.pane;
+    if (width === 0 || height === 0) return;
+    this.viewer.set_3d_pane_size(width, height);
+    this.tree.resize(width, height, this.camera.fov);
+    if (!this.#touched) this.look(this.camera.direction, false);
+  }
+
+  /** Take the measure of the scene again where it changed; a scene that grew is fitted again. */
+  #measure(fit = true) {
+    const { bounds, moved } = this.#stale;
+    if (!bounds && !moved) return;
+    Object.assign(this.#stale, { bounds: false, moved: false });
+    this.#points = this.tree.corners();
+    this.#box.setFromPoints(this.#points);
+    const below = this.#box.min.z < this.surroundings.ground.level - 0.02 * this.surroundings.ground.radius;
+    if (bounds || below) this.#suit();
+    if (bounds && fit && !this.#touched && !this.#framed?.containsBox(this.#box)) {
+      const first = this.#framed === null;
+      this.#framed = this.#box.isEmpty() ? null : this.#box.clone();
+      this.camera.fit(this.#fitPoints(), this.camera.direction, !first);
+    }
+  }
+
+  #suit() {
+    this.surroundings.suit(this.#box);
+    this.caption.textContent = this.surroundings.ground.caption;
+  }
+
+  #fitPoints() {
+    if (this.#points.length) return this.#points;
+    return [new THREE.Vector3(-1, -1, 0), new THREE.Vector3(1, 1, 1)];
+  }
+
+  #toggleFullScreen() {
+    if (document.fullscreenElement === this.element) document.exitFullscreen();
+    else this.element.requestFullscreen?.();
+  }
+}

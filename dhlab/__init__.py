@@ -1,0 +1,134 @@
+"""Robot kinematics in a notebook: from a Denavit-Hartenberg row to a moving limb in the cell.
+
+The names below are the whole public face of dhlab; modules behind them may move. Names that need
+a screen (`View`, `show`, `Panel`) are loaded when they are first used.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+from dhlab import shapes  # TMP models
+from dhlab.animation import PlannedMotion, animate, block_motion, robot_motion
+from dhlab.errors import AttachError, DegreesWarning, DhlabError, InputError, LimitError
+from dhlab.kinematics.chain import Chain
+from dhlab.kinematics.dh import DHRow, deg, dh, link_transform
+from dhlab.kinematics.mechanism import Branch, Mechanism
+
+# TMP from dhlab.kinematics.trajectory import Trajectory, trj_poly3
+from dhlab.kinematics.transforms import (
+    angvec2r,
+    eul2r,
+    interpolate,
+    inverse,
+    r2angvec,
+    r2eul,
+    r2rpy,
+    rotx,
+    roty,
+    rotz,
+    rp2t,
+    rpy2r,
+    transl,
+)
+from dhlab.scene.block import Block, BlockComplex, block_complex, block_merge
+from dhlab.scene.blocks import (
+    block,
+    cone,
+    cube,
+    cuboid,
+    cylinder,
+    polygon,
+    polyline,
+    prism,
+    pyramid,
+    sphere,
+    srevolution,
+    tetrahedron,
+)
+from dhlab.scene.component import Component
+from dhlab.scene.csys import Csys, csys
+from dhlab.scene.handle import Handle
+from dhlab.scene.robot import Robot
+from dhlab.scene.robots import robot, robot_complex
+from dhlab.shapes import arc
+
+if TYPE_CHECKING:
+    from dhlab.panel import Panel
+    from dhlab.view import View, show
+
+ON_A_SCREEN = {"Panel": "dhlab.panel", "View": "dhlab.view", "show": "dhlab.view"}
+
+__all__ = [
+    "AttachError",
+    "Block",
+    "BlockComplex",
+    "Branch",
+    "Chain",
+    "Component",
+    "Csys",
+    "DHRow",
+    "DegreesWarning",
+    "DhlabError",
+    "Handle",
+    "InputError",
+    "LimitError",
+    "Mechanism",
+    "Panel",
+    "PlannedMotion",
+    "Robot",
+    "Trajectory",
+    "View",
+    "angvec2r",
+    "animate",
+    "arc",
+    "block",
+    "block_complex",
+    "block_merge",
+    "block_motion",
+    "cone",
+    "csys",
+    "cube",
+    "cuboid",
+    "cylinder",
+    "deg",
+    "dh",
+    "eul2r",
+    "interpolate",
+    "inverse",
+    "link_transform",
+    "polygon",
+    "polyline",
+    "prism",
+    "pyramid",
+    "r2angvec",
+    "r2eul",
+    "r2rpy",
+    "robot",
+    "robot_complex",
+    "robot_motion",
+    "rotx",
+    "roty",
+    "rotz",
+    "rp2t",
+    "rpy2r",
+    "shapes",
+    "show",
+    "sphere",
+    "srevolution",
+    "tetrahedron",
+    "transl",
+    "trj_poly3",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Load a name that needs a screen."""
+    if name not in ON_A_SCREEN:
+        raise AttributeError(f"module 'dhlab' has no attribute {name!r}")
+    from importlib import import_module
+
+    return getattr(import_module(ON_A_SCREEN[name]), name)
+
+
+def __dir__() -> list[str]:
+    """List the public names."""
+    return sorted(__all__)

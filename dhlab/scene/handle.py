@@ -1,0 +1,234 @@
+"""The base of everything that can be seen: a name, who watches, and how a change is told."""
+
+import threading
+import weakref
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any, ClassVar, Protocol, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from dhlab.arrays import as_name
+from dhlab.errors import AttachError, InputError
+from dhlab.scene.node import Node
+from dhlab.scene.setting import Setting, check_settings, flag
+
+CHANGES = threading.RLock()
+"""Held while a change is made and while a handle is described: nobody sees half of a change."""
+
+
+class Observer(Protocol):
+    """Who watches a handle: a view, a panel."""
+
+    def handle_changed(self, handle: "Handle") -> None:
+        """Take note; called with `CHANGES` held, so be quick."""
+
+
+class Handle:
+    """Something with an identity that views show and follow.
+
+    Two handles are equal only if they are the same one. A setting is checked before anything
+    changes; everybody who watches hears of a change once, after it.
+
+    Parameters
+    ----------
+    name : str, optional
+        Unique among its siblings; where it is not given the parent makes one up.
+    """
+
+    __slots__ = ("__weakref__", "_marks", "_name", "_observers", "_parent", "_visible")
+
+    kind: ClassVar[str] = "handle"
+
+    visible: Setting[bool] = Setting(flag, "bool: whether it and all it carries is drawn.")
+
+    def __init__(self, name: str | None = None) -> None:
+        self._name = None if name is None else as_name(name, f"name of a {self.kind}")
+        self._observers: weakref.WeakSet[Observer] | None = None
+        self._parent: Handle | None = None
+        self._marks: dict[str, Node] = {}
+        self._visible = True
+
+    @property
+    def name(self) -> str:
+        """Name of the handle, the kind of it (``'block'``) where none was given.
+
+        Raises
+        ------
+        InputError
+            On assignment of a name that a sibling has, or that is not a name.
+        """
+        return self.kind if self._name is None else self._name
+
+    @name.setter
+    def name(self, value: str) -> None:
+        name = as_name(value, f"name of '{self.name}'")
+        with CHANGES:
+            siblings = () if self._parent is None else self._parent.children()
+            if any(other is not self and other.name == name for other in siblings):
+                raise InputError(f"name of '{self.name}': a sibling is called {name!r} already")
+            self._name = name
+            self._changed()
+
+    @property
+    def parent(self) -> "Handle | None":
+        """The handle that carries this one, or None."""
+        return self._parent
+
+    @property
+    def root(self) -> "Handle":
+        """The handle at the top of all that carries this one; itself where nothing does."""
+        return self if self._parent is None else self._parent.root
+
+    @property
+    def world_pose(self) -> NDArray[np.float64]:
+        """Pose in the world frame, shape (4, 4)."""
+        raise NotImplementedError
+
+    def set(self, **values: Any) -> Self:
+        """Set several properties at once; all are checked before the first is changed.
+
+        Parameters
+        ----------
+        **values
+            Properties by name.
+
+        Returns
+        -------
+        handle : the handle itself
+        """
+        with CHANGES:
+            self._store(check_settings(self, self.name, values))
+            self._changed()
+        return self
+
+    def children(self) -> tuple["Handle", ...]:
+        """Return the handles that this one carries."""
+        return ()
+
+    def carries_at(self, child: "Handle") -> NDArray[np.float64]:
+        """Pose in the world of the frame that a child of this handle stands in, shape (4, 4)."""
+        raise NotImplementedError
+
+    def walk(self) -> Iterator["Handle"]:
+        """Go through this handle and all that it carries, parents first."""
+        yield self
+        for child in self.children():
+            yield from child.walk()
+
+    def watch(self, observer: Observer) -> None:
+        """Tell `observer` of every change from now on; it is held weakly."""
+        if self._observers is None:
+            self._observers = weakref.WeakSet()
+        self._observers.add(observer)
+
+    def unwatch(self, observer: Observer) -> None:
+        """Tell `observer` no more; safe if it did not watch."""
+        if self._observers is not None:
+            self._observers.discard(observer)
+
+    def describe(self, name: str | None = None) -> dict[str, Node]:
+        """Say what is to be drawn.
+
+        Parameters
+        ----------
+        name : str, optional
+            First segment of the paths; the handle's own name unless given.
+
+        Returns
+        -------
+        nodes : dict of str to Node
+            Parents before children. The first node stands in the world, whatever carries it;
+            what a motion left behind follows under ``name.traces`` and ``name.ghosts``.
+        """
+        name = self.name if name is None else name
+        with CHANGES:
+            nodes = self._nodes(name)
+            if self._parent is not None:
+                nodes[name] = replace(nodes[name], pose=self.world_pose)
+            for handle in self.walk():
+                for path, node in handle._marks.items():
+                    nodes[f"{name}.{path}"] = node
+        return nodes
+
+    def clear_traces(self) -> None:
+        """Remove the traces and ghosts that a motion of this handle left."""
+        with CHANGES:
+            self.leave_marks({})
+            self._changed()
+
+    def leave_marks(self, marks: dict[str, Node]) -> None:
+        """Draw marks in the world in place of the old ones; the lock is held, nobody is told."""
+        self._marks = marks
+
+    def tell(self) -> None:
+        """Tell everybody who watches that something has changed."""
+        with CHANGES:
+            self._changed()
+
+    def _nodes(self, path: str) -> dict[str, Node]:
+        """Nodes of this handle below `path`, the first with its pose in its parent."""
+        raise NotImplementedError
+
+    def _store(self, checked: Mapping[str, Any]) -> None:
+        """Keep checked values; the lock is held."""
+        for key, value in checked.items():
+            setattr(self, f"_{key}", value)
+
+    def _changed(self) -> None:
+        """Tell everybody who watches anything in this tree; the lock is held."""
+        for handle in self.root.walk():
+            if handle._observers:
+                for observer in tuple(handle._observers):
+                    observer.handle_changed(handle)
+
+    def _adopt(self, *children: "Handle") -> None:
+        """Become the parent of handles that have none; all are checked first."""
+        self._check_free(*children)
+        taken = {child.name for child in self.children()}
+        for child in children:
+            if child._name in taken:
+                raise InputError(f"two parts of '{self.name}' are called {child._name!r}")
+            taken |= {child._name} if child._name is not None else set()
+        for child in children:
+            if child._name is None:
+                child._name = unused_name(child.kind, taken)
+                taken.add(child._name)
+            child._parent = self
+
+    def _check_free(self, *children: "Handle") -> None:
+        """Refuse handles that hang somewhere already, or that carry this one."""
+        ancestors = set(self.ancestors())
+        for k, child in enumerate(children):
+            if child in ancestors:
+                raise AttachError(
+                    f"'{child.name}' cannot hang on '{self.name}', which it is or carries"
+                )
+            if child._parent is not None or child in children[:k]:
+                other = self if child._parent is None else child._parent
+                raise AttachError(
+                    f"'{child.name}' is attached to '{other.name}' already; make a second one"
+                )
+
+    def ancestors(self) -> Iterator["Handle"]:
+        """Go through this handle and all that carry it, upwards."""
+        handle: Handle | None = self
+        while handle is not None:
+            yield handle
+            handle = handle._parent
+
+
+def unused_name(name: str, taken: set[str]) -> str:
+    """Return `name`, or `name_2`, `name_3`, ... : the first that is not taken.
+
+    Examples
+    --------
+    >>> unused_name("block", {"block", "block_2"})
+    'block_3'
+    """
+    candidate, count = name, 1
+    while candidate in taken:
+        count += 1
+        candidate = f"{name}_{count}"
+    return candidate

@@ -1,0 +1,163 @@
+"""What a handle says of itself: plain, immutable data that a view can compare and send.
+
+A handle describes itself as ``{path: Node}``. Paths nest (``arm/1/2/body``), parents come before
+their children, and every pose is the pose in the parent node, so the tree of nodes *is* the
+kinematic tree: one joint moved is one number.
+"""
+
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from dhlab.arrays import read_only
+from dhlab.kinematics.dh import joint_motion
+from dhlab.shapes import Label, Lines, Mesh
+
+Shape: TypeAlias = Mesh | Lines | Label
+Color: TypeAlias = tuple[float, float, float]
+
+IDENTITY: NDArray[np.float64] = read_only(np.eye(4))
+
+
+@dataclass(frozen=True, slots=True)
+class Style:
+    """How the shape of a node is painted.
+
+    Attributes
+    ----------
+    color : tuple of 3 floats in [0, 1]
+        Red, green, blue of faces; of the line for `Lines`; of the text for `Label`.
+    opacity : float in [0, 1]
+    edges : bool
+        Whether a mesh shows its feature edges.
+    edge_color : tuple of 3 floats or None
+        None: a darker shade of `color`.
+    line_width : float [pixel]
+        Width on the screen of edges and lines.
+    """
+
+    color: Color = (0.62, 0.65, 0.69)
+    opacity: float = 1.0
+    edges: bool = True
+    edge_color: Color | None = None
+    line_width: float = 1.5
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Joint:
+    """A node that moves: its pose is ``pose @ motion(value) @ after``.
+
+    Attributes
+    ----------
+    kind : {'r', 'p'}
+        `value` turns about z [rad] or slides along z [m].
+    after : ndarray, shape (4, 4)
+        The constant behind the motion (identity in the modified convention).
+    key : str
+        Names this joint for as long as its robot lives; sliders find the joint by it.
+    """
+
+    kind: Literal["r", "p"]
+    after: NDArray[np.float64]
+    key: str
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Clock:
+    """The common time of one planned motion: a key of its own and its instants.
+
+    Attributes
+    ----------
+    key : str
+    times : ndarray, shape (steps,) [s]
+        Increasing.
+    """
+
+    key: str
+    times: NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Curve:
+    """Where a node is at each instant of a planned motion.
+
+    Attributes
+    ----------
+    clock : Clock
+    samples : ndarray
+        For a joint its values, shape (steps,) [rad or m]; for any other node its poses in its
+        parent, shape (steps, 4, 4); for a node with `Lines` the number of segments to show,
+        shape (steps,): a trace that grows.
+    """
+
+    clock: Clock
+    samples: NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Node:
+    """One node of the scene.
+
+    Attributes
+    ----------
+    pose : ndarray, shape (4, 4)
+        Pose in the parent node; for a joint the constant before its motion.
+    joint : Joint or None
+    value : float [rad or m]
+        The joint's variable, offset included; 0 for a node that is no joint.
+    shape : Mesh, Lines, Label or None
+        What is drawn in this node; None for a node that only carries others.
+    style : Style
+    visible : bool
+        Of the node and of everything under it.
+    curve : Curve or None
+        The planned motion of this node; `pose` and `value` are the state it ends in.
+    """
+
+    pose: NDArray[np.float64] = field(default_factory=lambda: IDENTITY)
+    joint: Joint | None = None
+    value: float = 0.0
+    shape: Shape | None = None
+    style: Style = Style()
+    visible: bool = True
+    curve: Curve | None = None
+
+    @property
+    def matrix(self) -> NDArray[np.float64]:
+        """Pose of this node in its parent, the joint's motion included, shape (4, 4)."""
+        if self.joint is None:
+            return self.pose
+        return self.pose @ joint_motion(self.joint.kind, self.value) @ self.joint.after
+
+
+def same_place(a: Node, b: Node) -> bool:
+    """Whether two nodes stand at the same place, now and in their planned motion."""
+    return (
+        a.value == b.value
+        and a.curve is b.curve
+        and (a.pose is b.pose or bool(np.array_equal(a.pose, b.pose)))
+    )
+
+
+def same_body(a: Node, b: Node) -> bool:
+    """Whether two nodes draw the same shape and move in the same way."""
+    return same_shape(a.shape, b.shape) and same_joint(a.joint, b.joint)
+
+
+def same_paint(a: Node, b: Node) -> bool:
+    """Whether two nodes are painted alike."""
+    return a.visible == b.visible and a.style == b.style
+
+
+def same_shape(a: Shape | None, b: Shape | None) -> bool:
+    """Whether two shapes are one, by content."""
+    return a is b or (a is not None and b is not None and a.digest == b.digest)
+
+
+def same_joint(a: Joint | None, b: Joint | None) -> bool:
+    """Whether two joints are one."""
+    if a is None or b is None:
+        return a is b
+    return a.kind == b.kind and a.key == b.key and np.array_equal(a.after, b.after)

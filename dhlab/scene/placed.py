@@ -1,0 +1,93 @@
+"""Handles with a pose of their own: what coordinate systems and blocks have in common."""
+
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from dhlab.arrays import as_placement, as_poses
+from dhlab.scene.handle import Handle
+from dhlab.scene.marks import Trail
+from dhlab.scene.node import IDENTITY, Clock, Curve, Node
+from dhlab.scene.palette import INK
+from dhlab.scene.setting import Setting
+
+
+class Placed(Handle):
+    """A handle that stands at a pose in its parent; assign the pose and it moves.
+
+    Parameters
+    ----------
+    name : str, optional
+    """
+
+    __slots__ = ("_curve", "_pose")
+
+    pose: Setting[NDArray[np.float64]] = Setting(
+        as_placement,
+        "ndarray, shape (4, 4): pose in the parent (the world, where there is none), read-only. "
+        "Takes a pose, a 3-vector (the orientation stays) or a rotation (the origin stays).",
+    )
+
+    def __init__(self, name: str | None = None) -> None:
+        super().__init__(name)
+        self._pose = IDENTITY
+        self._curve: Curve | None = None
+
+    def move(self, T: ArrayLike) -> Self:
+        """Set the pose; relative motion is written out.
+
+        ``b.move(b.pose @ T)`` moves relative to the block's own axes, ``b.move(T @ b.pose)``
+        relative to the parent's.
+
+        Parameters
+        ----------
+        T : array_like, shape (4, 4), (3,) or (3, 3)
+            A pose, an origin [m] (the orientation stays) or a rotation (the origin stays).
+
+        Returns
+        -------
+        handle : the handle itself
+
+        Raises
+        ------
+        InputError
+            `T` is none of these, or not a rotation.
+        """
+        return self.set(pose=T)
+
+    @property
+    def world_pose(self) -> NDArray[np.float64]:
+        """Pose in the world frame, shape (4, 4)."""
+        if self._parent is None:
+            return self._pose
+        return self._parent.carries_at(self) @ self._pose
+
+    def check_samples(self, samples: ArrayLike, what: str) -> NDArray[np.float64]:
+        """Check the poses of a motion, shape (steps, 4, 4)."""
+        return as_poses(samples, what)
+
+    def check_sample(self, sample: ArrayLike, what: str) -> NDArray[np.float64]:
+        """Check one pose of a motion: whatever `move` takes."""
+        return as_placement(sample, what, self._pose)
+
+    def take_motion(self, clock: Clock, samples: NDArray[np.float64]) -> None:
+        """Move along `samples` and end in the last; the lock is held, nobody is told."""
+        self._pose = samples[-1]
+        self._curve = Curve(clock, samples)
+
+    def trails(self, clock: Clock) -> list[Trail]:
+        """Return the path of the origin in the world during a motion."""
+        carrier = IDENTITY if self._parent is None else self._parent.carries_at(self)
+        curve = self._curve
+        poses = self._pose[None] if curve is None or curve.clock is not clock else curve.samples
+        return [Trail("origin", (carrier @ poses)[:, :3, 3], INK)]
+
+    def _store(self, checked: Any) -> None:
+        super()._store(checked)
+        if "pose" in checked:
+            self._curve = None
+
+    def _own_node(self) -> Node:
+        """Return the node that all other nodes of this handle hang on."""
+        return Node(pose=self._pose, visible=self._visible, curve=self._curve)

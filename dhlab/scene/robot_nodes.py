@@ -1,0 +1,56 @@
+"""How a robot shows itself: the nodes of its joints, looks, parts and attached robots."""
+
+from typing import TYPE_CHECKING
+
+from dhlab.scene.node import Node
+
+if TYPE_CHECKING:
+    from dhlab.scene.robot import Robot
+
+
+def robot_nodes(robot: "Robot", path: str) -> dict[str, Node]:
+    """Return the nodes of a robot and of all that is attached to it.
+
+    The joints nest (``arm/1/2/3``), each with its bodies below it, so that a node moves all that
+    the joint moves.
+    """
+    component, chain = robot.own, robot.chain
+    carried = tuple((at, child.chain) for at, child in robot.joints_at)
+    looks = component.look_nodes(carried)
+    befores = [before for before, _ in chain.constants]
+    values = component.q + chain.offset
+    curves = component.curves
+    nodes = {path: Node(pose=chain.base, visible=robot.visible)}
+    _add_bodies(nodes, robot, 0, path, looks)
+    for i in range(1, chain.n + 1):
+        path = f"{path}/{i}"
+        nodes[path] = Node(
+            pose=befores[i - 1],
+            joint=component.joints[i - 1],
+            value=float(values[i - 1]),
+            curve=curves[i - 1] if curves else None,
+        )
+        _add_bodies(nodes, robot, i, path, looks)
+    if chain.n:
+        path = f"{path}/grasper"
+        nodes[path] = Node(pose=chain.grasper)
+        _add_bodies(nodes, robot, chain.n + 1, path, looks)
+    return nodes
+
+
+def _add_bodies(
+    nodes: dict[str, Node],
+    robot: "Robot",
+    frame: int,
+    path: str,
+    looks: dict[int, dict[str, Node]],
+) -> None:
+    """Add what hangs on one frame: bodies of the default look, the user's part, other robots."""
+    for name, node in looks.get(frame, {}).items():
+        nodes[f"{path}/{name.lstrip('/')}"] = node
+    part = robot.own.parts.get(frame)
+    if part is not None and robot.own.look == "user":
+        nodes |= part._nodes(f"{path}/part", robot.own.color)
+    for at, child in robot.joints_at:
+        if at == frame:
+            nodes |= robot_nodes(child, f"{path}/{child.name}")

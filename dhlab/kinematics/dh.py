@@ -6,6 +6,7 @@ In the *standard* convention all four belong to link i, and frame {i} stands at 
 """
 
 import warnings
+from collections.abc import Iterable, Sequence
 from math import degrees, pi
 from typing import Literal, NamedTuple, TypeAlias, get_args
 
@@ -132,6 +133,37 @@ def as_convention(name: Convention) -> Convention:
     return name
 
 
+def as_kinds(joints: Iterable[str], n: int) -> tuple[JointKind, ...]:
+    """Kind of each of n joints, 'r' or 'p', from their letters ('d' is prismatic too).
+
+    Examples
+    --------
+    >>> as_kinds("rd", 2)
+    ('r', 'p')
+    >>> as_kinds("rx", 2)
+    Traceback (most recent call last):
+    ...
+    dhlab.errors.InputError: joint 2: no joint type 'x'; use 'r' or 'p'
+    """
+    letters: dict[str, JointKind] = {"r": "r", "p": "p", "d": "p"}
+    joints = list(joints)
+    for i, letter in enumerate(joints, start=1):
+        if letter not in letters:
+            raise InputError(f"joint {i}: no joint type {letter!r}; use 'r' or 'p'")
+    if len(joints) != n:
+        raise InputError(f"a table of {n} rows needs {n} joint letters, got {len(joints)}")
+    return tuple(letters[letter] for letter in joints)
+
+
+def as_rows(rows: Iterable[ArrayLike]) -> tuple[DHRow, ...]:
+    """Rows of a table, from rows made by `dh` or from 4 numbers each."""
+    table = []
+    for i, row in enumerate(rows, start=1):
+        numbers = as_array(row, (4,), f"row {i} of the table (alpha, a, d, theta)").tolist()
+        table.append(DHRow(*numbers) if isinstance(row, DHRow) else dh(*numbers))
+    return tuple(table)
+
+
 def joint_motion(kind: JointKind, variable: ArrayLike) -> NDArray[np.float64]:
     """Pose, shape (..., 4, 4), that the variable of a joint alone makes: along or about z.
 
@@ -163,6 +195,27 @@ def link_constants(
     if convention == "modified":
         return link @ fixed, np.eye(4)
     return np.eye(4), fixed @ link
+
+
+def links_up(rows: Sequence[DHRow]) -> tuple[NDArray[np.float64], tuple[DHRow, ...]]:
+    """Turn a modified table into a standard one: the link before all rows, and the rows.
+
+    Examples
+    --------
+    >>> first, rows = links_up([dh(0, 0.1, 0, 0), dh(0, 0.2, 0, 0)])
+    >>> first[:3, 3], [row.a for row in rows]
+    (array([0.1, 0. , 0. ]), [0.2, 0.0])
+    """
+    links = [(row.alpha, row.a) for row in rows] + [(0.0, 0.0)]
+    moved = zip(links[1:], rows, strict=True)
+    return _about_x(*links[0]), tuple(DHRow(*link, row.d, row.theta) for link, row in moved)
+
+
+def links_down(rows: Sequence[DHRow]) -> tuple[tuple[DHRow, ...], NDArray[np.float64]]:
+    """Turn a standard table into a modified one: the rows, and the link behind them all."""
+    links = [(0.0, 0.0)] + [(row.alpha, row.a) for row in rows]
+    moved = zip(links[:-1], rows, strict=True)
+    return tuple(DHRow(*link, row.d, row.theta) for link, row in moved), _about_x(*links[-1])
 
 
 def _about_x(angle: ArrayLike, distance: ArrayLike) -> NDArray[np.float64]:

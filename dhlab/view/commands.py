@@ -94,9 +94,9 @@ def diff(old: Mapping[str, Node], new: Mapping[str, Node]) -> list[Command]:
     >>> [type(c).__name__ for c in diff({"a": Node(), "b": Node()}, {"a": there, "c": Node()})]
     ['Remove', 'Place', 'Put']
     """
-    commands: list[Command] = [
-        Remove(path) for path in old if path not in new and _parent(path) not in old.keys() - new
-    ]
+    gone = [path for path in old if path not in new]
+    below = set(gone)
+    commands: list[Command] = [Remove(path) for path in gone if _parent(path) not in below]
     for path, node in new.items():
         before = old.get(path)
         if before is not node:
@@ -118,8 +118,9 @@ def apply(nodes: dict[str, Node], batch: Iterable[Command]) -> None:
             case Put(path, node):
                 nodes[path] = node
             case Place(path, node):
-                place = {"pose": node.pose, "value": node.value, "curve": node.curve}
-                nodes[path] = replace(nodes[path], **place)
+                nodes[path] = replace(
+                    nodes[path], pose=node.pose, value=node.value, curve=node.curve
+                )
             case Paint(path, node):
                 nodes[path] = replace(nodes[path], style=node.style, visible=node.visible)
             case Remove(path):

@@ -7,7 +7,7 @@ const MATTE = { specular: 0x1c1c1c, shininess: 28 };
 
 /**
  * The body of `node`, made of what the `workshop` of a view has: its pools of geometries and
- * materials, the resolution of its lines, the halo and pixel ratio of its labels.
+ * materials, the resolution of its lines, the contrast and pixel ratio of its labels.
  */
 export function createBody(node, workshop) {
   switch (node.shape.kind) {
@@ -115,9 +115,11 @@ class LabelBody {
   }
 
   paint({ color, opacity }) {
-    const { halo, ratio, unit } = this.#workshop;
+    const { contrast, ratio, unit } = this.#workshop;
+    const { halo, lift } = contrast;
+    const ink = color.map((part) => part + lift * (1 - part));
     this.#clear();
-    this.#label = createLabel(this.#node.shape, color, opacity, halo, ratio);
+    this.#label = createLabel(this.#node.shape, ink, opacity, halo, ratio);
     this.#label.resize(unit);
     this.object.add(this.#label.sprite);
   }

@@ -46,6 +46,17 @@ export class Camera {
     else this.#stand(position, target);
   }
 
+  /** Whether all of `points` are in the picture. */
+  sees(points) {
+    const { camera } = this.#viewer;
+    camera.updateMatrixWorld();
+    const inside = (point) => {
+      const { x, y, z } = toThree(point).project(camera);
+      return Math.abs(x) <= 1 && Math.abs(y) <= 1 && z <= 1;
+    };
+    return points.every(inside);
+  }
+
   /** Clip near and far so that depth is fine where the scene is. */
   clip(center, radius, ground) {
     const { camera } = this.#viewer;

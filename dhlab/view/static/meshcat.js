@@ -5,7 +5,7 @@
  */
 import { sharedPage } from "./page.js";
 
-export const { THREE, Viewer } = sharedPage().meshcat;
+export const THREE = sharedPage().meshcat.THREE;
 
 /** A meshcat viewer in `pane` that calls `changed()` when it wants to be drawn. */
 export function createMeshcat(pane, changed) {
@@ -48,7 +48,7 @@ function constructAside(pane, renderer) {
     return listen.apply(window, what);
   };
   try {
-    const viewer = new Viewer(pane, false, renderer);
+    const viewer = new (sharedPage().meshcat.Viewer)(pane, false, renderer);
     return { viewer, listeners };
   } finally {
     delete window.addEventListener;

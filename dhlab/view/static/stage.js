@@ -6,7 +6,7 @@ import { Camera, DIRECTIONS } from "./camera.js";
 import { createMeshcat, THREE } from "./meshcat.js";
 import { PlayerBar } from "./playerbar.js";
 import { STYLE } from "./style.js";
-import { Surroundings, haloOf } from "./surroundings.js";
+import { Surroundings, contrastOf } from "./surroundings.js";
 import { actionOfKey, createToolbar } from "./toolbar.js";
 import { Tree } from "./tree.js";
 
@@ -20,7 +20,7 @@ export class Stage {
   #stale = { bounds: true, shadows: true };
   #box = new THREE.Box3();
   #points = [];
-  #framed = null;
+  #framed = false;
   #observers = [];
 
   constructor(scene, element, { height, background, grid, controls }) {
@@ -35,7 +35,7 @@ export class Stage {
     this.surroundings.ground.object.visible = grid;
     this.caption.hidden = !grid;
     const ratio = Math.max(2, Math.min(window.devicePixelRatio || 1, 3));
-    this.tree = new Tree(scene, { halo: haloOf(background), ratio });
+    this.tree = new Tree(scene, { contrast: contrastOf(background), ratio });
     this.viewer.set_object(["dhlab"], this.tree.root);
     this.setBackground(background);
     this.#watch();
@@ -120,7 +120,7 @@ export class Stage {
     this.background = background;
     this.element.dataset.background = background;
     this.surroundings.setBackground(background);
-    this.tree.setHalo(haloOf(background));
+    this.tree.setContrast(contrastOf(background));
     this.draw();
   }
 
@@ -215,11 +215,10 @@ export class Stage {
     this.#box.setFromPoints(this.#points);
     const below = this.#box.min.z < this.surroundings.ground.level - 0.02 * this.surroundings.ground.radius;
     if (bounds || below) this.#suit();
-    if (bounds && fit && !this.#touched && !this.#framed?.containsBox(this.#box)) {
-      const first = this.#framed === null;
-      this.#framed = this.#box.isEmpty() ? null : this.#box.clone();
-      this.camera.fit(this.#fitPoints(), this.camera.direction, !first);
+    if (bounds && fit && !this.#touched && !(this.#framed && this.camera.sees(this.#points))) {
+      this.camera.fit(this.#fitPoints(), this.camera.direction, this.#framed);
     }
+    if (bounds) this.#framed = this.#points.length > 0;
   }
 
   #suit() {

@@ -3,12 +3,14 @@ import { Ground } from "./ground.js";
 import { THREE } from "./meshcat.js";
 
 const BACKGROUNDS = {
-  light: { top: "#fbfcfe", bottom: "#dfe6ee", halo: "rgba(250, 252, 254, 0.85)" },
-  dark: { top: "#2b323c", bottom: "#12151a", halo: "rgba(22, 26, 32, 0.85)" },
+  light: { top: "#fbfcfe", bottom: "#dfe6ee", halo: "rgba(250, 252, 254, 0.85)", lift: 0 },
+  dark: { top: "#2b323c", bottom: "#12151a", halo: "rgba(22, 26, 32, 0.85)", lift: 0.4 },
 };
 
-export function haloOf(background) {
-  return BACKGROUNDS[background].halo;
+/** What keeps labels readable: the halo behind the letters, and how much whiter these are. */
+export function contrastOf(background) {
+  const { halo, lift } = BACKGROUNDS[background];
+  return { halo, lift };
 }
 
 export class Surroundings {

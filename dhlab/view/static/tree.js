@@ -10,7 +10,7 @@ import { Pool } from "./pool.js";
 export class Tree {
   #entries = new Map();
 
-  constructor(scene, { halo, ratio }) {
+  constructor(scene, { contrast, ratio }) {
     this.scene = scene;
     this.root = new THREE.Group();
     this.root.name = "dhlab";
@@ -19,7 +19,7 @@ export class Tree {
       materials: new Pool(),
       resolution: { value: new THREE.Vector2(1, 1) },
       unit: 1,
-      halo,
+      contrast,
       ratio,
     };
     for (const node of scene.nodes.values()) if (!node.parent) this.#addAll(node);
@@ -79,9 +79,9 @@ export class Tree {
     for (const { body } of this.#entries.values()) body?.resize?.();
   }
 
-  /** Labels get another halo, on another background. */
-  setHalo(halo) {
-    this.workshop.halo = halo;
+  /** Labels look different on another background. */
+  setContrast(contrast) {
+    this.workshop.contrast = contrast;
     for (const { node, body } of this.#entries.values()) if (body?.resize) body.paint(node.style);
   }
 

@@ -1,0 +1,72 @@
+"""Which cell shows what, so that what no cell shows any more can be closed.
+
+A cell that runs again replaces its outputs. ipywidgets keeps every open widget in a registry of
+its own, so that a cell run fifty times would leave fifty of them; the kernel knows which cell runs
+and closes the ones that were replaced.
+"""
+
+from functools import cache
+from typing import Any, Protocol
+
+
+class Shown(Protocol):
+    """Something that is open while an output shows it."""
+
+    def close(self) -> None:
+        """Close it: its last output has gone. It may be shown again later."""
+
+
+class Outputs:
+    """The outputs of one kernel.
+
+    Keeps what it watches alive for as long as an output shows it, because handles hold their
+    views weakly. What is shown outside a cell, in the callback of a widget say, stays open.
+
+    Parameters
+    ----------
+    shell : InteractiveShell
+    """
+
+    def __init__(self, shell: Any) -> None:
+        self._shell = shell
+        self._runs: dict[Shown, dict[str, str]] = {}
+        shell.events.register("post_run_cell", self._close_replaced)
+
+    def note(self, shown: Shown) -> None:
+        """Note that the running cell shows something.
+
+        Parameters
+        ----------
+        shown : Shown
+        """
+        cell, run = self._present()
+        self._runs.setdefault(shown, {})[cell] = run
+
+    def _present(self) -> tuple[str, str]:
+        """Return the cell that runs, by its id or else by its text, and which run of it this is."""
+        parent = self._shell.get_parent() or {}
+        header = parent.get("header") or {}
+        if header.get("msg_type") != "execute_request":
+            return "", ""
+        cell = (parent.get("metadata") or {}).get("cellId") or parent["content"]["code"]
+        return str(cell), str(header.get("msg_id"))
+
+    def _close_replaced(self, *_: Any) -> None:
+        cell, run = self._present()
+        for shown, runs in list(self._runs.items()):
+            if runs.get(cell, run) != run:
+                del runs[cell]
+            if not runs:
+                del self._runs[shown]
+                shown.close()
+
+
+@cache
+def outputs_of(shell: Any) -> Outputs:
+    """Return the outputs of a kernel's shell.
+
+    Parameters
+    ----------
+    shell : InteractiveShell
+    """
+    return Outputs(shell)

@@ -1,0 +1,273 @@
+"""A view: it shows handles, follows them, and sends only what changed."""
+
+import os
+import sys
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, Literal, Self
+
+from dhlab.arrays import as_name, as_number
+from dhlab.errors import InputError
+from dhlab.scene.handle import CHANGES, Handle, unused_name
+from dhlab.scene.node import Node
+from dhlab.view.commands import Backend, Command, diff
+from dhlab.view.outputs import outputs_of
+from dhlab.view.pace import Pace
+from dhlab.view.recording import RecordingBackend
+
+if TYPE_CHECKING:
+    from dhlab.view.widget import SceneWidget, WidgetBackend
+
+BACKGROUNDS = ("light", "dark")
+WIDGET = "application/vnd.jupyter.widget-view+json"
+
+
+class View:
+    """A window onto handles; a cell that ends in a view shows it.
+
+    Every change of a handle, by whomever, is seen in all its views. A view costs nothing before
+    it is shown. With ``DHLAB_VIEW=record`` in the environment it is never shown: it remembers
+    what would be seen.
+
+    Parameters
+    ----------
+    name : str, optional
+    height : int [pixel]
+    background : {'light', 'dark'}
+    grid : bool
+        Whether the ground shows a grid in metres.
+    controls : bool
+        Whether meshcat's own control bar is shown.
+    backend : Backend, optional
+        Something else than a Jupyter widget to show the picture.
+
+    Examples
+    --------
+    >>> from dhlab.scene.csys import Csys
+    >>> frame = Csys(name="frame")
+    >>> view = View("bench").add(frame)
+    >>> view
+    View('bench': frame)
+    >>> frame.pose = frame.pose
+    >>> "frame" in view.nodes
+    True
+    >>> View(background="blue")
+    Traceback (most recent call last):
+    ...
+    dhlab.errors.InputError: no background 'blue'; use 'light' or 'dark'
+    """
+
+    def __init__(
+        self,
+        name: str | None = None,
+        *,
+        height: int = 480,
+        background: Literal["light", "dark"] = "light",
+        grid: bool = True,
+        controls: bool = False,
+        backend: Backend | None = None,
+    ) -> None:
+        self.name = "view" if name is None else as_name(name, "name of a view")
+        if background not in BACKGROUNDS:
+            raise InputError(f"no background {background!r}; use 'light' or 'dark'")
+        self._options = {
+            "height": int(as_number(height, f"height of {self.name!r}", minimum=40)),
+            "background": background,
+            "grid": bool(grid),
+            "controls": bool(controls),
+        }
+        self._names: dict[Handle, str] = {}
+        self._drawn: dict[str, dict[str, Node]] = {}
+        self._stale: set[Handle] = set()
+        self._gone: set[str] = set()
+        self._pace = Pace(self.flush)
+        self._shown: WidgetBackend | None = None
+        self._backend: Backend | None = backend
+        if backend is None and os.environ.get("DHLAB_VIEW") == "record":
+            self._backend = RecordingBackend()
+
+    @property
+    def handles(self) -> tuple[Handle, ...]:
+        """What the view shows, in the order it was added."""
+        return tuple(self._names)
+
+    @property
+    def nodes(self) -> Mapping[str, Node]:
+        """What is seen: nodes by path, parents before their children; read-only.
+
+        The first segment of a path is the handle's name in this view, with a number behind it
+        where two handles have the same name.
+        """
+        with CHANGES:
+            self.flush()
+            drawn = (self._drawn[name] for name in self._names.values())
+            return MappingProxyType({path: node for nodes in drawn for path, node in nodes.items()})
+
+    @property
+    def widget(self) -> "SceneWidget":
+        """The Jupyter widget of this view, to lay it out beside others.
+
+        It stays open until `close` is called.
+        """
+        from dhlab.view.widget import WidgetBackend
+        from dhlab.view.wire import Wire
+
+        with CHANGES:
+            if self._shown is None or self._shown.widget.comm is None:
+                self._shown = WidgetBackend(Wire(self.nodes), name=self.name, **self._options)
+                self._backend = self._shown
+            return self._shown.widget
+
+    def add(self, *handles: Handle) -> Self:
+        """Show handles; those that are shown already stay as they are.
+
+        Parameters
+        ----------
+        *handles : Handle
+            Coordinate systems, blocks, robots.
+
+        Returns
+        -------
+        view : the view itself
+
+        Raises
+        ------
+        InputError
+            For anything that is not a handle; then none is added.
+        """
+        for handle in handles:
+            if not isinstance(handle, Handle):
+                raise InputError(
+                    f"{self.name!r} shows coordinate systems, blocks and robots, got {handle!r}"
+                )
+        with CHANGES:
+            for handle in handles:
+                if handle not in self._names:
+                    self._names[handle] = self._unused_name(handle.name)
+                    handle.watch(self)
+                    self._stale.add(handle)
+            self._send_soon()
+        return self
+
+    def remove(self, *handles: Handle) -> None:
+        """Show some handles no more.
+
+        Parameters
+        ----------
+        *handles : Handle
+
+        Raises
+        ------
+        InputError
+            For a handle that is not shown here; then none is removed.
+        """
+        with CHANGES:
+            for handle in handles:
+                if handle not in self._names:
+                    there = ", ".join(self._names.values()) or "nothing"
+                    what = repr(getattr(handle, "name", handle))
+                    raise InputError(f"{self.name!r} does not show {what}; it shows {there}")
+            for handle in dict.fromkeys(handles):
+                handle.unwatch(self)
+                self._stale.discard(handle)
+                self._gone.add(self._names.pop(handle))
+            self._send_soon()
+
+    def clear(self) -> None:
+        """Show nothing."""
+        self.remove(*self._names)
+
+    def handle_changed(self, handle: Handle) -> None:
+        """Take note that a handle changed; the handle calls this, with `CHANGES` held."""
+        self._stale.add(handle)
+        self._send_soon()
+
+    def flush(self) -> None:
+        """Send now what waits to be sent."""
+        with CHANGES:
+            batch = self._changes()
+            if batch and self._backend is not None:
+                self._backend.send(batch)
+
+    def close(self) -> None:
+        """Close the view's widget and the pictures it shows; it can be shown again."""
+        with CHANGES:
+            self._pace.stop()
+            if self._shown is not None:
+                self._shown.close()
+                self._shown = self._backend = None
+
+    def __repr__(self) -> str:
+        shown = ", ".join(self._names.values())
+        return f"View({self.name!r}{': ' if shown else ''}{shown})"
+
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
+        """What a cell that ends in this view shows: the picture, or else a line of text."""
+        bundle: dict[str, Any] = {"text/plain": repr(self)}
+        shell = _shell_with_kernel()
+        if shell is not None and (self._backend is None or self._shown is not None):
+            bundle[WIDGET] = {
+                "version_major": 2,
+                "version_minor": 0,
+                "model_id": self.widget.model_id,
+            }
+            outputs_of(shell).note(self)
+        return bundle
+
+    def _send_soon(self) -> None:
+        """Send what changed in time; a recording view waits until it is looked at."""
+        if self._backend is not None and not isinstance(self._backend, RecordingBackend):
+            self._pace.ask()
+
+    def _changes(self) -> list[Command]:
+        """Commands from what was drawn last to what is there now.
+
+        With a handle go all those that hang together with it: a change of a robot is one batch,
+        also where its parts are shown one by one.
+        """
+        roots = {handle.root for handle in self._stale}
+        stale = [handle for handle in self._names if handle.root in roots] if roots else []
+        batch: list[Command] = []
+        for name in sorted(self._gone - set(self._names.values())):
+            batch.extend(diff(self._drawn.pop(name, {}), {}))
+        for handle in stale:
+            name = self._names[handle]
+            now = handle.describe(name)
+            batch.extend(diff(self._drawn.get(name, {}), now))
+            self._drawn[name] = now
+        self._stale.clear()
+        self._gone.clear()
+        return batch
+
+    def _unused_name(self, name: str) -> str:
+        return unused_name(name, set(self._names.values()))
+
+
+def show(*handles: Handle, **options: Any) -> View:
+    """Give a new view of some handles: a cell that ends in this call shows it.
+
+    Parameters
+    ----------
+    *handles : Handle
+        Coordinate systems, blocks, robots.
+    **options
+        Of the `View`.
+
+    Returns
+    -------
+    view : View
+
+    Examples
+    --------
+    >>> from dhlab.scene.csys import Csys
+    >>> show(Csys(name="a"), Csys(name="b"), height=300)
+    View('view': a, b)
+    """
+    return View(**options).add(*handles)
+
+
+def _shell_with_kernel() -> Any:
+    """Return the IPython shell if there is a kernel behind it, else None; imports nothing."""
+    ipython = sys.modules.get("IPython")
+    shell = None if ipython is None else ipython.get_ipython()
+    return shell if getattr(shell, "kernel", None) is not None else None

@@ -75,7 +75,7 @@ __all__ = [
     "Panel",
     "PlannedMotion",
     "Robot",
-    "Trajectory",
+    # "Trajectory",
     "View",
     "angvec2r",
     "animate",
@@ -116,7 +116,7 @@ __all__ = [
     "srevolution",
     "tetrahedron",
     "transl",
-    "trj_poly3",
+    # "trj_poly3",
 ]
 
 

@@ -189,10 +189,11 @@ def _step_motion(
     wanted: str,
 ) -> PlannedMotion:
     _check_handles(motions)
-    samples: dict[Movable, NDArray[np.float64]] = {}
-    for handle, rows in motions.items():
+    samples: dict[Any, NDArray[np.float64]] = {}
+    for handle in motions:
         if not isinstance(handle, kinds):
             raise TypeError(f"'{handle.name}' is a {type(handle).__name__}, not {wanted}")
+    for handle, rows in motions.items():
         samples[handle] = handle.check_samples(rows, f"motion of '{handle.name}'")
         if len(samples[handle]) == 0:
             raise InputError(f"motion of '{handle.name}' has no steps")

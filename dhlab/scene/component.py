@@ -324,7 +324,7 @@ def joints_of(chain: Chain, keys: tuple[str, ...]) -> tuple[Joint, ...]:
     """Return the moving part of each joint's node."""
     return tuple(
         Joint(kind, after, key)
-        for kind, (_, after), key in zip(chain.joints, chain.constants, keys, strict=True)
+        for kind, (_, after), key in zip(chain.kinds, chain.constants, keys, strict=True)
     )
 
 

@@ -140,16 +140,18 @@ class Handle:
         -------
         nodes : dict of str to Node
             Parents before children. The first node stands in the world, whatever carries it;
-            what a motion left behind follows under ``name.traces`` and ``name.ghosts``.
+            what motions left behind follows under ``name.traces`` and ``name.ghosts``, and under
+            ``name.2.traces`` for those of the second handle that this one carries.
         """
         name = self.name if name is None else name
         with CHANGES:
             nodes = self._nodes(name)
             if self._parent is not None:
                 nodes[name] = replace(nodes[name], pose=self.world_pose)
-            for handle in self.walk():
+            for number, handle in enumerate(self.walk()):
+                whose = f"{name}.{number}" if number else name
                 for path, node in handle._marks.items():
-                    nodes[f"{name}.{path}"] = node
+                    nodes[f"{whose}.{path}"] = node
         return nodes
 
     def clear_traces(self) -> None:

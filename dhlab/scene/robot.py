@@ -104,7 +104,8 @@ class Robot(Handle):
     @property
     def world_pose(self) -> NDArray[np.float64]:
         """Pose of the base in the world frame, shape (4, 4)."""
-        return self._carrier() @ self.base
+        pose: NDArray[np.float64] = self._carrier() @ self.base
+        return pose
 
     def set(self, **values: Any) -> Self:
         """Set several properties at once; all are checked before the first is changed.

@@ -1,7 +1,6 @@
 """The factories of robots: a chain from its table, several robots on one base."""
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +12,7 @@ from dhlab.scene.robot import Robot, check_robots
 
 
 def robot(
-    rows: ArrayLike | Sequence[Any],
+    rows: Sequence[ArrayLike],
     joints: str | Sequence[str],
     *,
     name: str | None = None,

@@ -1,0 +1,62 @@
+"""What binds a panel's sliders to the page: all values of a robot in one message."""
+
+import secrets
+from collections.abc import Sequence
+from importlib.resources import files
+from typing import Any
+
+import anywidget
+import numpy as np
+import traitlets
+
+from dhlab.view import assets
+
+IMPORT = 'import { sharedPage } from "../../view/static/page.js";\n'
+
+
+def source(name: str) -> str:
+    """Text of a file in ``static``."""
+    return (files("dhlab.panel") / "static" / name).read_text(encoding="utf-8")
+
+
+class Link(anywidget.AnyWidget):
+    """Invisible widget that sets a panel's sliders in the page and hears of the user's hand.
+
+    Attributes
+    ----------
+    values : bytes
+        What the page is to show: number of the message, number of the last `drag` that is
+        answered, then the value of each slider in its own unit, as float64.
+    clocks : list of str
+        For each slider the clock of the planned motion that it is in, or nothing.
+    drag : list
+        From the page, the newest only: number, number of the grasp that it belongs to, slider,
+        value.
+    """
+
+    _esm = assets.bundle("page") + source("link.js").replace(IMPORT, "")
+    _css = source("panel.css")
+
+    token = traitlets.Unicode().tag(sync=True)
+    sliders = traitlets.List(traitlets.Unicode()).tag(sync=True)
+    joints: traitlets.List[Any] = traitlets.List().tag(sync=True)
+    folds: traitlets.List[Any] = traitlets.List().tag(sync=True)
+    values = traitlets.Bytes().tag(sync=True)
+    clocks = traitlets.List(traitlets.Unicode()).tag(sync=True)
+    drag: traitlets.List[Any] = traitlets.List().tag(sync=True, echo_update=False)
+
+    def __init__(self, **options: Any) -> None:
+        self._count = 0
+        super().__init__(**options)
+
+    def tell(self, answered: int, shown: Sequence[float], clocks: Sequence[str]) -> None:
+        """Tell the page the values of all sliders: one message."""
+        self._count += 1
+        with self.hold_sync():
+            self.clocks = list(clocks)
+            self.values = np.array([self._count, answered, *shown]).tobytes()
+
+
+def make_token() -> str:
+    """Make a name for a panel that no other has; its sliders carry it in the page."""
+    return secrets.token_hex(6)

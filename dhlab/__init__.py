@@ -29,6 +29,7 @@ from dhlab.kinematics.transforms import (
     rpy2r,
     transl,
 )
+from dhlab.kinematics.typeset import Typeset, typeset
 from dhlab.scene.block import Block, BlockComplex, block_complex, block_merge
 from dhlab.scene.blocks import (
     block,
@@ -76,6 +77,7 @@ __all__ = [
     "PlannedMotion",
     "Robot",
     # "Trajectory",
+    "Typeset",
     "View",
     "angvec2r",
     "animate",
@@ -116,6 +118,7 @@ __all__ = [
     "srevolution",
     "tetrahedron",
     "transl",
+    "typeset",
     # "trj_poly3",
 ]
 

@@ -89,7 +89,7 @@ def robot(
     >>> robot([dh(0, 0, 0, 0)], "x")
     Traceback (most recent call last):
     ...
-    dhlab.errors.InputError: no joint type 'x'; use 'r' (revolute) or 'p' (prismatic; 'd' too)
+    dhlab.errors.InputError: joint 1: no joint type 'x'; use 'r' or 'p'
 
     References
     ----------

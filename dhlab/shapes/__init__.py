@@ -6,6 +6,7 @@ stands in its own coordinates is said in each function's docstring.
 
 from dhlab.shapes.between import arrow, beam, tube
 from dhlab.shapes.lines import Label, Lines
+from dhlab.shapes.loft import loft
 from dhlab.shapes.mesh import Mesh, RenderArrays
 from dhlab.shapes.polyhedra import (
     cube,
@@ -32,6 +33,7 @@ __all__ = [
     "cube",
     "cuboid",
     "cylinder",
+    "loft",
     "polygon",
     "polyhedron",
     "polyline",

@@ -1,6 +1,8 @@
 """Planned motions: many handles over one vector of times, played by every view that shows them."""
 
-import secrets
+from __future__ import annotations
+
+import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
@@ -211,7 +213,7 @@ def _play(
     """Give checked motions to their handles, all at once, then tell."""
     if trace not in TRACES:
         raise InputError(f"trace must be True, False or 'ghosts', got {trace!r}")
-    clock = Clock(secrets.token_hex(8), times)
+    clock = Clock(os.urandom(8).hex(), times)
     with CHANGES:
         for handle, rows in samples.items():
             handle.take_motion(clock, read_only(rows))

@@ -1,5 +1,7 @@
 """Blocks: polyhedra and lines with a pose, and groups of them."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 from typing import Any, TypedDict, Unpack
 
@@ -153,14 +155,14 @@ class BlockComplex(Placed):
     line_width = Shared(setting.positive, Block.line_width.__doc__ or "")
     show_csys = Shared(setting.flag, Block.show_csys.__doc__ or "")
 
-    def __init__(self, components: tuple["Block | BlockComplex", ...], name: str | None) -> None:
+    def __init__(self, components: tuple[Block | BlockComplex, ...], name: str | None) -> None:
         super().__init__(name)
         self._components: tuple[Block | BlockComplex, ...] = ()
         self._adopt(*components)
         self._components = components
 
     @property
-    def components(self) -> tuple["Block | BlockComplex", ...]:
+    def components(self) -> tuple[Block | BlockComplex, ...]:
         """The blocks it is made of; each can be set alone."""
         return self._components
 

@@ -4,6 +4,8 @@ Where a block stands in its own coordinates is said by the function of the same 
 `dhlab.shapes`; every factory takes the options of `BlockOptions` by keyword.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from typing import Any, Unpack
 

@@ -1,6 +1,8 @@
 """One simple robot of a mechanism: its table, its own joints, how it looks."""
 
-import secrets
+from __future__ import annotations
+
+import os
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Self
 
@@ -44,12 +46,12 @@ def own_chain(value: Any, what: str, current: Chain) -> Chain:
     return value
 
 
-def of_chain(field: str) -> Callable[["Component"], Any]:
+def of_chain(field: str) -> Callable[[Component], Any]:
     """Read a field of a component's chain."""
     return lambda component: getattr(component.chain, field)
 
 
-def palette_color(component: "Component") -> Color:
+def palette_color(component: Component) -> Color:
     """Read the colour: the one given, or the palette's for its place in the mechanism."""
     if component._color is not None:
         return component._color
@@ -134,7 +136,7 @@ class Component:
         setting.flag, "bool: whether the joints' coordinate systems are drawn."
     )
 
-    def __init__(self, robot: "Robot", chain: Chain) -> None:
+    def __init__(self, robot: Robot, chain: Chain) -> None:
         self._robot = robot
         self._chain = chain
         self._q = chain.home
@@ -148,11 +150,11 @@ class Component:
         self._frame_size: float | None = None
         self._show_csys = False
         self._parts: dict[int, Block | BlockComplex] = {}
-        self._joints = joints_of(chain, tuple(secrets.token_hex(6) for _ in range(chain.n)))
+        self._joints = joints_of(chain, tuple(os.urandom(6).hex() for _ in range(chain.n)))
         self._drawn: tuple[object, dict[int, dict[str, Node]]] | None = None
 
     @property
-    def robot(self) -> "Robot":
+    def robot(self) -> Robot:
         """The handle of the robot that these joints belong to."""
         return self._robot
 
@@ -182,7 +184,7 @@ class Component:
         return self._curves
 
     @property
-    def parts(self) -> "Mapping[int, Block | BlockComplex]":
+    def parts(self) -> Mapping[int, Block | BlockComplex]:
         """The user's parts by frame: 0 the base, 1 to n the joints, n + 1 the grasper."""
         return dict(self._parts)
 
@@ -200,8 +202,8 @@ class Component:
         return self
 
     def set_part(
-        self, part: "Block | BlockComplex | None", *, joint: int | str
-    ) -> "Block | BlockComplex | None":
+        self, part: Block | BlockComplex | None, *, joint: int | str
+    ) -> Block | BlockComplex | None:
         """Give the user look a block at a frame; None takes it away.
 
         Parameters

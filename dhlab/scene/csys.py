@@ -1,5 +1,7 @@
 """Coordinate systems: three labelled axes at a pose."""
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike
 

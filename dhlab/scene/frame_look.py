@@ -1,5 +1,7 @@
 """How a coordinate system is drawn: three arrows and their labels."""
 
+from __future__ import annotations
+
 from functools import lru_cache
 
 import numpy as np

@@ -1,5 +1,7 @@
 """The base of everything that can be seen: a name, who watches, and how a change is told."""
 
+from __future__ import annotations
+
 import threading
 import weakref
 from collections.abc import Iterator, Mapping
@@ -21,7 +23,7 @@ CHANGES = threading.RLock()
 class Observer(Protocol):
     """Who watches a handle: a view, a panel."""
 
-    def handle_changed(self, handle: "Handle") -> None:
+    def handle_changed(self, handle: Handle) -> None:
         """Take note; called with `CHANGES` held, so be quick."""
 
 
@@ -72,12 +74,12 @@ class Handle:
             self._changed()
 
     @property
-    def parent(self) -> "Handle | None":
+    def parent(self) -> Handle | None:
         """The handle that carries this one, or None."""
         return self._parent
 
     @property
-    def root(self) -> "Handle":
+    def root(self) -> Handle:
         """The handle at the top of all that carries this one; itself where nothing does."""
         return self if self._parent is None else self._parent.root
 
@@ -103,15 +105,15 @@ class Handle:
             self._changed()
         return self
 
-    def children(self) -> tuple["Handle", ...]:
+    def children(self) -> tuple[Handle, ...]:
         """Return the handles that this one carries."""
         return ()
 
-    def carries_at(self, child: "Handle") -> NDArray[np.float64]:
+    def carries_at(self, child: Handle) -> NDArray[np.float64]:
         """Pose in the world of the frame that a child of this handle stands in, shape (4, 4)."""
         raise NotImplementedError
 
-    def walk(self) -> Iterator["Handle"]:
+    def walk(self) -> Iterator[Handle]:
         """Go through this handle and all that it carries, parents first."""
         yield self
         for child in self.children():
@@ -185,7 +187,7 @@ class Handle:
                 for observer in tuple(handle._observers):
                     observer.handle_changed(handle)
 
-    def _adopt(self, *children: "Handle") -> None:
+    def _adopt(self, *children: Handle) -> None:
         """Become the parent of handles that have none; all are checked first."""
         self._check_free(*children)
         taken = {child.name for child in self.children()}
@@ -199,7 +201,7 @@ class Handle:
                 taken.add(child._name)
             child._parent = self
 
-    def _check_free(self, *children: "Handle") -> None:
+    def _check_free(self, *children: Handle) -> None:
         """Refuse handles that hang somewhere already, or that carry this one."""
         ancestors = set(self.ancestors())
         for k, child in enumerate(children):
@@ -213,7 +215,7 @@ class Handle:
                     f"'{child.name}' is attached to '{other.name}' already; make a second one"
                 )
 
-    def ancestors(self) -> Iterator["Handle"]:
+    def ancestors(self) -> Iterator[Handle]:
         """Go through this handle and all that carry it, upwards."""
         handle: Handle | None = self
         while handle is not None:

@@ -1,5 +1,7 @@
 """What a motion leaves behind: the paths of what moved, and pale copies on the way."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 from typing import NamedTuple
 

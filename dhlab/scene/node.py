@@ -5,6 +5,8 @@ their children, and every pose is the pose in the parent node, so the tree of no
 kinematic tree: one joint moved is one number.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 

@@ -1,5 +1,7 @@
 """The colours of dhlab: components, axes, ghosts; told apart by colour-blind people too."""
 
+from __future__ import annotations
+
 from dhlab.arrays import as_color
 from dhlab.scene.node import Color
 

@@ -1,5 +1,7 @@
 """Handles with a pose of their own: what coordinate systems and blocks have in common."""
 
+from __future__ import annotations
+
 from typing import Any, Self
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Robots: chains with a configuration, joined to trees."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from typing import Any, Self
 
@@ -76,12 +78,12 @@ class Robot(Handle):
         return self._own
 
     @property
-    def joints_at(self) -> tuple[tuple[int, "Robot"], ...]:
+    def joints_at(self) -> tuple[tuple[int, Robot], ...]:
         """The attached robots with the frame each hangs on: 0 the base, 1 to n a joint."""
         return tuple(self._attached)
 
     @property
-    def attached(self) -> tuple["Robot", ...]:
+    def attached(self) -> tuple[Robot, ...]:
         """The robots attached to this one, in order."""
         return tuple(robot for _, robot in self._attached)
 
@@ -153,16 +155,16 @@ class Robot(Handle):
                 own[key] = value
         return shares, own
 
-    def robots(self) -> tuple["Robot", ...]:
+    def robots(self) -> tuple[Robot, ...]:
         """Return this robot and all that hang on it, in the order of `q`."""
         return (self, *(r for _, robot in self._attached for r in robot.robots()))
 
     @property
-    def top(self) -> "Robot":
+    def top(self) -> Robot:
         """The robot at the root of the mechanism."""
         return self._parent.top if isinstance(self._parent, Robot) else self
 
-    def connect(self, *robots: "Robot", at: int | None = None) -> Self:
+    def connect(self, *robots: Robot, at: int | None = None) -> Self:
         """Attach robots to the last joint's frame, or to any frame.
 
         Several are made one complex first; from then on their bases are poses in the frame they
@@ -202,7 +204,7 @@ class Robot(Handle):
             self._changed()
         return self
 
-    def carry(self, robots: Sequence["Robot"]) -> None:
+    def carry(self, robots: Sequence[Robot]) -> None:
         """Take robots onto the base; they stay where they are in the world."""
         with CHANGES:
             self._attach(0, *robots)
@@ -224,7 +226,7 @@ class Robot(Handle):
             raise InputError(f"at: '{self.name}' has frames 0 (its base) to {n}, got {at!r}")
         return frame
 
-    def _attach(self, frame: int, *robots: "Robot") -> None:
+    def _attach(self, frame: int, *robots: Robot) -> None:
         self._adopt(*robots)
         self._attached += [(frame, robot) for robot in robots]
         self._forget_mechanism()

@@ -1,5 +1,7 @@
 """Where the frames of a robot are: from handles to the mechanism that computes them."""
 
+from __future__ import annotations
+
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,11 +17,11 @@ if TYPE_CHECKING:
     from dhlab.scene.robot import Robot
 
 
-def branches_of(robot: "Robot") -> tuple[Branch, ...]:
+def branches_of(robot: Robot) -> tuple[Branch, ...]:
     """Return the chains of a mechanism, parents first, named by their paths."""
     branches: list[Branch] = []
 
-    def add(robot: "Robot", path: str, parent: int, at: int) -> None:
+    def add(robot: Robot, path: str, parent: int, at: int) -> None:
         index = len(branches)
         branches.append(Branch(path, robot.chain, parent, at))
         for frame, child in robot.joints_at:
@@ -29,13 +31,13 @@ def branches_of(robot: "Robot") -> tuple[Branch, ...]:
     return tuple(branches)
 
 
-def path_of(robot: "Robot") -> str:
+def path_of(robot: Robot) -> str:
     """Return the names from the mechanism's root to a robot, as one path."""
     names = [r.name for r in robot.ancestors() if r.kind == robot.kind]
     return "/".join(reversed(names))
 
 
-def frames_of(robot: "Robot", q: ArrayLike | None) -> dict[str, NDArray[np.float64]]:
+def frames_of(robot: Robot, q: ArrayLike | None) -> dict[str, NDArray[np.float64]]:
     """Return the frames of a robot in the world, by names from the mechanism's root."""
     top = robot.top
     if q is not None:
@@ -51,7 +53,7 @@ def frames_of(robot: "Robot", q: ArrayLike | None) -> dict[str, NDArray[np.float
     return _below(robot, top.mechanism.frames(whole))
 
 
-def slice_of(robot: "Robot") -> slice:
+def slice_of(robot: Robot) -> slice:
     """Return the place of a robot's variables in the configuration of its mechanism."""
     start = 0
     for other in robot.top.robots():
@@ -61,7 +63,7 @@ def slice_of(robot: "Robot") -> slice:
     return slice(start, start + robot.n)
 
 
-def frame_at(component: "Component", frame: int) -> NDArray[np.float64]:
+def frame_at(component: Component, frame: int) -> NDArray[np.float64]:
     """Pose of a frame in what carries the robot: 0 base, 1 to n joints, n + 1 grasper."""
     chain, q = component.chain, component.q
     if frame == 0:
@@ -70,7 +72,7 @@ def frame_at(component: "Component", frame: int) -> NDArray[np.float64]:
     return pose
 
 
-def trails_of(robot: "Robot", clock: Clock) -> list[Trail]:
+def trails_of(robot: Robot, clock: Clock) -> list[Trail]:
     """Return the paths of a robot's graspers in the world during a motion."""
     top = robot.top
     q = np.hstack([component.samples(clock) for component in top.components])
@@ -82,8 +84,6 @@ def trails_of(robot: "Robot", clock: Clock) -> list[Trail]:
     ]
 
 
-def _below(
-    robot: "Robot", frames: dict[str, NDArray[np.float64]]
-) -> dict[str, NDArray[np.float64]]:
+def _below(robot: Robot, frames: dict[str, NDArray[np.float64]]) -> dict[str, NDArray[np.float64]]:
     path = path_of(robot) + "/"
     return {name: pose for name, pose in frames.items() if name.startswith(path)}

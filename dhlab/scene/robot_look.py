@@ -4,6 +4,8 @@ Every function gives the nodes that hang on the frames of one robot, `{frame: {n
 frame 0 is the base, 1 to n are the joints, n + 1 is the grasper.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from itertools import pairwise

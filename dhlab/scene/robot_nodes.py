@@ -1,5 +1,7 @@
 """How a robot shows itself: the nodes of its joints, looks, parts and attached robots."""
 
+from __future__ import annotations
+
 from typing import TYPE_CHECKING
 
 from dhlab.scene.node import Node
@@ -8,7 +10,7 @@ if TYPE_CHECKING:
     from dhlab.scene.robot import Robot
 
 
-def robot_nodes(robot: "Robot", path: str) -> dict[str, Node]:
+def robot_nodes(robot: Robot, path: str) -> dict[str, Node]:
     """Return the nodes of a robot and of all that is attached to it.
 
     The joints nest (``arm/1/2/3``), each with its bodies below it, so that a node moves all that
@@ -40,7 +42,7 @@ def robot_nodes(robot: "Robot", path: str) -> dict[str, Node]:
 
 def _add_bodies(
     nodes: dict[str, Node],
-    robot: "Robot",
+    robot: Robot,
     frame: int,
     path: str,
     looks: dict[int, dict[str, Node]],

@@ -1,5 +1,7 @@
 """How a property of a robot is shared out: to its own joints, to all components, or cut up."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
@@ -27,7 +29,7 @@ class Handed(Setting[Any]):
         kept = settings_of(Component)[name]
         super().__init__(kept.check, kept.__doc__ or "")
 
-    def share(self, robot: "Robot", value: Any) -> Iterable[tuple[Component, Any]]:
+    def share(self, robot: Robot, value: Any) -> Iterable[tuple[Component, Any]]:
         """Give each component that is concerned its part of a value."""
         raise NotImplementedError
 
@@ -39,7 +41,7 @@ class Own(Handed):
         """Return the own value."""
         return getattr(handle.own, self.slot[1:])
 
-    def share(self, robot: "Robot", value: Any) -> Iterable[tuple[Component, Any]]:
+    def share(self, robot: Robot, value: Any) -> Iterable[tuple[Component, Any]]:
         """Give the value to the own joints."""
         return [(robot.own, value)]
 
@@ -59,7 +61,7 @@ class Common(Handed):
         values = {getattr(component, name) for component in handle.components}
         return values.pop() if len(values) == 1 else None
 
-    def share(self, robot: "Robot", value: Any) -> Iterable[tuple[Component, Any]]:
+    def share(self, robot: Robot, value: Any) -> Iterable[tuple[Component, Any]]:
         """Give the value to everybody from the robot down."""
         return [(other.own, value) for other in robot.robots()]
 
@@ -71,7 +73,7 @@ class Joined(Handed):
         """Return the components' values as one array."""
         return read_only(np.concatenate([getattr(r.own, self.slot[1:]) for r in handle.robots()]))
 
-    def share(self, robot: "Robot", value: Any) -> Iterable[tuple[Component, Any]]:
+    def share(self, robot: Robot, value: Any) -> Iterable[tuple[Component, Any]]:
         """Cut the value up; its shape is checked here, its parts where they are kept."""
         check = as_limits if self.slot == "_limits" else as_config
         whole = check(value, robot.n, f"{self.slot[1:]} of '{robot.name}'")

@@ -1,5 +1,7 @@
 """How a robot reads in a notebook: one stable text, and a table in HTML."""
 
+from __future__ import annotations
+
 from html import escape
 from typing import TYPE_CHECKING
 
@@ -7,7 +9,7 @@ if TYPE_CHECKING:
     from dhlab.scene.robot import Robot
 
 
-def robot_text(robot: "Robot") -> str:
+def robot_text(robot: Robot) -> str:
     """Return the tree of robots in text: who carries whom, joints, where."""
     components = robot.components
     variables = "1 variable" if robot.n == 1 else f"{robot.n} variables"
@@ -19,7 +21,7 @@ def robot_text(robot: "Robot") -> str:
     return "\n".join(lines)
 
 
-def _branch(robot: "Robot", indent: str) -> list[str]:
+def _branch(robot: Robot, indent: str) -> list[str]:
     joints = robot.chain.joints
     what = f"{joints.upper()}, {robot.chain.convention} DH" if joints else "complex"
     lines = [f"{indent}  {robot.name}: {what}"]
@@ -30,7 +32,7 @@ def _branch(robot: "Robot", indent: str) -> list[str]:
     return lines
 
 
-def robot_html(robot: "Robot") -> str:
+def robot_html(robot: Robot) -> str:
     """Return the tables of all components in HTML, each under the robot's name."""
     parts = [f"<p><b>{escape(robot.name)}</b>: {robot.n} variables</p>"]
     parts += [

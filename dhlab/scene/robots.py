@@ -1,5 +1,7 @@
 """The factories of robots: a chain from its table, several robots on one base."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 
 import numpy as np

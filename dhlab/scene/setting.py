@@ -1,5 +1,7 @@
 """Properties of handles: checked first, then stored, then told to everybody who watches."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any, Generic, Protocol, TypeVar, overload
@@ -50,10 +52,10 @@ class Setting(Generic[T]):
         self.slot = f"_{name}"
 
     @overload
-    def __get__(self, handle: None, owner: type) -> "Setting[T]": ...
+    def __get__(self, handle: None, owner: type) -> Setting[T]: ...
     @overload
     def __get__(self, handle: Settable, owner: type) -> T: ...
-    def __get__(self, handle: Settable | None, owner: type) -> "Setting[T] | T":
+    def __get__(self, handle: Settable | None, owner: type) -> Setting[T] | T:
         if handle is None:
             return self
         return self.value(handle)

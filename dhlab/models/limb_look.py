@@ -59,14 +59,14 @@ UPPER_ARM = (
     (0.135, 0.0445, 0.0385, 0.0030),
     (0.165, 0.0420, 0.0375, 0.0025),
     (0.195, 0.0375, 0.0355, 0.0015),
-    (0.225, 0.0340, 0.0345, 0.0005),
-    (0.250, 0.0325, 0.0345, 0.0000),
+    (0.225, 0.0340, 0.0340, 0.0005),
+    (0.250, 0.0315, 0.0330, 0.0000),
 )
 """Sections from shoulder to elbow: place, half depth, half width, shift to the front."""
 
 FOREARM = (
-    (0.000, 0.0330, 0.0350, 0.0000),
-    (0.020, 0.0365, 0.0385, 0.0000),
+    (0.000, 0.0345, 0.0360, 0.0000),
+    (0.020, 0.0370, 0.0385, 0.0000),
     (0.045, 0.0395, 0.0415, 0.0000),
     (0.070, 0.0400, 0.0415, 0.0000),
     (0.095, 0.0385, 0.0390, 0.0000),
@@ -181,13 +181,13 @@ def shoulder() -> Mesh:
 @cache
 def upper_arm() -> Mesh:
     """Upper arm in joint frame 3: along x from the shoulder, its front to y."""
-    return _muscle(UPPER_ARM, 0.048, 0.033)
+    return _muscle(UPPER_ARM, 0.048, 0.030)
 
 
 @cache
 def forearm() -> Mesh:
     """Half of the forearm in joint frame 4: along -y from the elbow."""
-    return _muscle(FOREARM, 0.034, 0.020).transformed(rp2t(rotz(-np.pi / 2), (0, 0, 0)))
+    return _muscle(FOREARM, 0.035, 0.020).transformed(rp2t(rotz(-np.pi / 2), (0, 0, 0)))
 
 
 @cache

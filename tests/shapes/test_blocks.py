@@ -212,6 +212,17 @@ def test_an_arrow_points_along_its_axis(z, axis):
     assert_allclose(tip, [0, 0, 2 * z], atol=1e-12)
 
 
+@SEEDED
+@given(SIZE, SIZE, SIZE, COUNT)
+def test_a_loft_between_two_polygons_of_one_shape_is_a_frustum(r, s, height, n):
+    turn = 2 * np.pi * np.arange(n) / n
+    circle = np.column_stack([np.cos(turn), np.sin(turn)])
+    levels = (r, 0), (s, height)
+    body = shapes.loft([np.column_stack([k * circle, np.full(n, z)]) for k, z in levels])
+    assert body.is_closed
+    assert_allclose(body.volume, turn_cone(n, r, s, height), rtol=1e-6)
+
+
 def test_a_closed_polyline_comes_back_to_its_first_point():
     square = [[0, 0], [1, 0], [1, 1], [0, 1]]
     assert shapes.polyline(square).segments.tolist() == [[0, 1], [1, 2], [2, 3]]
@@ -246,6 +257,7 @@ SQUARE = [[0, 0], [1, 0], [1, 1], [0, 1]]
         (lambda: shapes.srevolution([[1, 0], [2, 1], [2, 0], [1, 1]]), "sides 0-1 and 2-3 meet"),
         (lambda: shapes.arc([0, 0], [2, 0], 0.9), "at least half the distance of its ends, 1"),
         (lambda: shapes.arc([0, 0], [0, 0], 1), "must be two points, got the same twice"),
+        (lambda: shapes.loft(np.ones((1, 4, 3))), "2 sections or more of 3 points or more, got 1"),
         (lambda: shapes.tube((1, 2, 3), (1, 2, 3), 1), r"begins and ends at \[1.0, 2.0, 3.0\]"),
     ],
 )

@@ -5,6 +5,8 @@ from functools import cache
 from hashlib import blake2b
 from importlib.resources import files
 from importlib.resources.abc import Traversable
+from importlib.util import find_spec
+from pathlib import Path
 
 _IMPORT = re.compile(r'^import \{([^}]*)\} from "\./(\w+)\.js";\n', re.MULTILINE)
 _EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const) (\w+))", re.MULTILINE)
@@ -30,8 +32,8 @@ def bundle(entry: str, *folders: Traversable) -> str:
 
     Examples
     --------
-    >>> print(bundle("pool")[:90])
-    /** Geometries and materials that many nodes share: made once, disposed with their last
+    >>> "export class Pool" in bundle("pool")
+    True
     """
     places = (files("dhlab.view") / "static", *folders)
     done: dict[str, str] = {}
@@ -49,8 +51,14 @@ def viewer() -> str:
 
 @cache
 def meshcat() -> str:
-    """Return the viewer script of the installed meshcat package, three.js included."""
-    script = files("meshcat") / "viewer" / "dist" / "main.min.js"
+    """Return the viewer script of the installed meshcat package, three.js included.
+
+    The package itself, with its server, is not imported.
+    """
+    found = find_spec("meshcat")
+    if found is None or found.origin is None:
+        raise ModuleNotFoundError("a view needs the package meshcat: pip install meshcat")
+    script = Path(found.origin).parent / "viewer" / "dist" / "main.min.js"
     return script.read_text(encoding="utf-8")
 
 

@@ -6,7 +6,7 @@ a screen (`View`, `show`, `Panel`) are loaded when they are first used.
 
 from typing import TYPE_CHECKING, Any
 
-from dhlab import shapes  # TMP models
+from dhlab import models, shapes
 from dhlab.animation import PlannedMotion, animate, block_motion, robot_motion
 from dhlab.errors import AttachError, DegreesWarning, DhlabError, InputError, LimitError
 from dhlab.kinematics.chain import Chain

@@ -11,7 +11,7 @@ from typing import Any, Unpack
 
 from numpy.typing import ArrayLike
 
-from dhlab import shapes
+import dhlab.shapes as shapes
 from dhlab.scene.block import Block, BlockOptions
 
 

@@ -6,7 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from dhlab import shapes
+import dhlab.shapes as shapes
 from dhlab.scene.node import Node, Style
 from dhlab.scene.palette import AXES, INK
 from dhlab.shapes import Label, Mesh

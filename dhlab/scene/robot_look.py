@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from dhlab import shapes
+import dhlab.shapes as shapes
 from dhlab.kinematics.chain import Chain
 from dhlab.kinematics.transforms import inverse, transl
 from dhlab.scene.frame_look import frame_nodes

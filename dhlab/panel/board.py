@@ -54,6 +54,7 @@ class Board:
         self.box = ipywidgets.VBox((bar, groups), _dom_classes=("dhlab-panel",))
         self.link: Link | None = None
         self._answered = 0
+        self._told: object = None
 
     def fits(self, components: Sequence[Component]) -> bool:
         """Whether the groups still are those of the components."""
@@ -71,7 +72,7 @@ class Board:
             first += component.n
         self.groups = tuple(groups)
         self.sliders = tuple(slider for group in groups for slider in group.sliders)
-        self._answered = 0
+        self._answered, self._told = 0, None
         self.link = self._make_link(token)
         bar, middle = self.box.children[:2]
         middle.children = tuple(group.box for group in groups)
@@ -84,17 +85,25 @@ class Board:
             slider.show(value)
 
     def tell(self) -> None:
-        """Tell the page and the sliders' observers what the sliders hold."""
+        """Tell the page and the sliders' observers what the sliders hold, if it is news."""
         for slider in self.sliders:
             slider.tell()
-        if self.link is not None:
-            clocks = [clock for group in self.groups for clock in _clocks(group.component)]
-            shown = [slider.value for slider in self.sliders]
-            self.link.tell(self._answered, shown, clocks)
+        clocks = [clock for group in self.groups for clock in _clocks(group.component)]
+        news = (self._answered, [slider.value for slider in self.sliders], clocks)
+        if self.link is not None and news != self._told:
+            self._told = news
+            self.link.tell(*news)
 
-    def answer(self, drag: int) -> None:
-        """Note the number of a drag that the page need not wait for any more."""
-        self._answered = drag
+    def answer(self, drag: int | None) -> None:
+        """Note that the page waits for an answer, whatever comes of what it told.
+
+        Parameters
+        ----------
+        drag : int or None
+            Number of the drag to be answered, if it was one.
+        """
+        self._told = None
+        self._answered = self._answered if drag is None else drag
 
     def copy(self, text: str) -> None:
         """Put a text on the clipboard of whoever looks at the page."""
@@ -114,6 +123,7 @@ class Board:
             token=token,
             sliders=[slider.model_id for slider in self.sliders],
             joints=[row for group in self.groups for row in group.joints()],
+            clocks=len(self.sliders) * [""],
             folds=[[g.title.model_id, g.rows.layout.model_id] for g in self.groups],
         )
         dragged = self._dragged

@@ -36,17 +36,19 @@ class Moves:
             Its place in the robot's configuration, from 0.
         value : float [rad or m]
         grasp : int, optional
-            Number of the grasp that a drag belongs to: one grasp is undone at once. None: the
-            end of such a drag, or a move of its own.
+            Number of the grasp that a drag belongs to: one grasp is undone at once. 0: the hand
+            lets go. None: the slider was set; while a hand is on it, by that hand.
         """
         with CHANGES:
-            held = self._grasp
-            self._grasp = None if grasp is None else (index, grasp)
             component, own = self._joint(index)
+            held = self._grasp
+            if grasp == 0:
+                self._grasp = None
             if component.q[own] == value:
                 return
-            if held is None or held[0] != index or grasp not in (None, held[1]):
+            if held is None or held[0] != index or grasp not in (None, 0, held[1]):
                 self.history.add(self._robot.q)
+                self._grasp = (index, grasp) if grasp else None
             q = component.q.copy()
             q[own] = value
             component.q = component.clip(q)

@@ -180,8 +180,7 @@ class Panel:
     ) -> None:
         with CHANGES:
             board = self._open()
-            if answered is not None:
-                board.answer(answered)
+            board.answer(answered)
             try:
                 value = board.sliders[index].reading.meant(shown)
                 self._moves.set_joint(index, value, grasp)

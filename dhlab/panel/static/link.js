@@ -9,6 +9,7 @@ import { sharedPage } from "../../view/static/page.js";
 
 const HANDS = Symbol.for("dhlab.hands");
 const PATIENCE = 200; // ms that a planned motion may take to find a viewer
+const PAUSE = 800; // ms after which the next key on a slider is a move of its own
 
 /** On the page once: notices which panel's slider a hand is laid on. */
 function hands() {
@@ -30,6 +31,7 @@ function watchHands() {
     bar.noUiSlider.on("slide.dhlab", (values, handle, unencoded) => {
       links.get(mark[1])?.slide(index, unencoded[handle]);
     });
+    bar.noUiSlider.on("end.dhlab", () => links.get(mark[1])?.letGo());
   };
   for (const kind of ["pointerdown", "touchstart", "mousedown", "focusin", "keydown"]) {
     document.addEventListener(kind, notice, { capture: true, passive: true });
@@ -40,10 +42,13 @@ function watchHands() {
 class Link {
   #model;
   #sliders;
-  #settings = false;
-  #numberSent = 0;
+  #setting = false;
+  #sent = 0;
   #held = new Map(); // joint -> number of the message that its newest value left with
-  #graspCount = 0;
+  #grasps = 0;
+  #grasped = false;
+  #pause = null;
+  #last = null;
   #waiting = null;
 
   constructor(model, sliders) {
@@ -56,7 +61,7 @@ class Link {
     hands().set(model.get("token"), this);
     const unsubscribe = page.subscribe((changes, source) => this.follow(changes, source));
     const typed = sliders.map((slider, index) => {
-      const publish = () => this.#settings || this.publish(index, slider.get("value"));
+      const publish = () => this.#setting || this.publish(index, slider.get("value"));
       slider.on("change:value", publish);
       return () => slider.off("change:value", publish);
     });
@@ -68,21 +73,46 @@ class Link {
       typed.forEach((stop) => stop());
       model.off("change:values", take);
       clearTimeout(this.#waiting);
+      clearTimeout(this.#pause);
     };
     this.take();
   }
 
   /** The user takes hold of a slider: what follows is one move, to be undone at once. */
   grasp() {
-    this.#graspCount += 1;
+    this.letGo();
+    this.#grasps += 1;
+    this.#grasped = true;
   }
 
   /** The user moves a slider: the page follows at once, the kernel as soon as it can. */
   slide(index, value) {
-    this.#numberSent += 1;
-    this.#held.set(index, this.#numberSent);
+    clearTimeout(this.#pause);
+    if (!this.#grasped) {
+      if (this.#last?.index !== index) {
+        this.letGo();
+        this.#grasps += 1;
+      }
+      this.#pause = setTimeout(() => this.letGo(), PAUSE);
+    }
+    this.#last = { index, value };
     this.publish(index, value);
-    this.#model.set("drag", [this.#numberSent, this.#graspCount, index, value]);
+    this.tell(this.#grasps);
+  }
+
+  letGo() {
+    clearTimeout(this.#pause);
+    if (this.#last) this.tell(0);
+    this.#grasped = false;
+    this.#last = null;
+  }
+
+  /** Tell the kernel the newest place of the hand; while it is busy, only the newest waits. */
+  tell(grasp) {
+    const { index, value } = this.#last;
+    this.#sent += 1;
+    this.#held.set(index, this.#sent);
+    this.#model.set("drag", [this.#sent, grasp, index, value]);
     this.#model.save_changes();
   }
 
@@ -143,11 +173,11 @@ class Link {
 
   /** Set the sliders in the page; nobody else is told. */
   show(values) {
-    this.#settings = true;
+    this.#setting = true;
     try {
       for (const [index, value] of values) this.#sliders[index].set("value", value);
     } finally {
-      this.#settings = false;
+      this.#setting = false;
     }
   }
 }

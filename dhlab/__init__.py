@@ -9,26 +9,21 @@ from typing import TYPE_CHECKING, Any
 from dhlab import models, shapes
 from dhlab.animation import PlannedMotion, animate, block_motion, robot_motion
 from dhlab.errors import AttachError, DegreesWarning, DhlabError, InputError, LimitError
-from dhlab.kinematics.chain import Chain
-from dhlab.kinematics.dh import DHRow, deg, dh, link_transform
-from dhlab.kinematics.mechanism import Branch, Mechanism
-
-# TMP from dhlab.kinematics.trajectory import Trajectory, trj_poly3
-from dhlab.kinematics.transforms import (
+from dhlab.kinematics.angles import (
     angvec2r,
     eul2r,
     interpolate,
-    inverse,
     r2angvec,
     r2eul,
     r2rpy,
-    rotx,
-    roty,
-    rotz,
-    rp2t,
     rpy2r,
-    transl,
 )
+from dhlab.kinematics.chain import Chain
+from dhlab.kinematics.dh import DHRow, deg, dh, link_transform
+from dhlab.kinematics.mechanism import Branch, Mechanism
+from dhlab.kinematics.poly3 import trj_poly3
+from dhlab.kinematics.trajectory import Trajectory
+from dhlab.kinematics.transforms import inverse, rotx, roty, rotz, rp2t, transl
 from dhlab.kinematics.typeset import Typeset, typeset
 from dhlab.scene.block import Block, BlockComplex, block_complex, block_merge
 from dhlab.scene.blocks import (
@@ -76,7 +71,7 @@ __all__ = [
     "Panel",
     "PlannedMotion",
     "Robot",
-    # "Trajectory",
+    "Trajectory",
     "Typeset",
     "View",
     "angvec2r",
@@ -119,7 +114,7 @@ __all__ = [
     "tetrahedron",
     "transl",
     "typeset",
-    # "trj_poly3",
+    "trj_poly3",
 ]
 
 

@@ -1,10 +1,9 @@
 """Kinematics: from arrays to arrays, numpy only, immutable, batched over leading axes.
 
-=============  ==============================================================
-`transforms`   rotations and poses, their angles, the way between two poses
-`dh`           one row of a Denavit-Hartenberg table, in both conventions
-`chain`        a table and what stands around it: one open chain
-`mechanism`    a tree of chains, and all its frames at once
-`trajectory`   a configuration as a function of time
-=============  ==============================================================
+- `transforms`: rotations and poses; `angles`: their angles, and the way between two poses
+- `dh`: one row of a Denavit-Hartenberg table, in both conventions
+- `chain`: a table and what stands around it: one open chain
+- `mechanism`: a tree of chains, and all its frames at once
+- `trajectory`: a configuration as a function of time; `poly3`: the paper's own planner
+- `typeset`, `table`: matrices and tables to read
 """

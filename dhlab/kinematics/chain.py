@@ -22,7 +22,7 @@ from dhlab.kinematics.dh import (
     links_down,
     links_up,
 )
-from dhlab.kinematics.table import table_html, table_text
+from dhlab.kinematics.table import angle_text, html_table, number_text, place_text, text_table
 
 LIMIT_TOLERANCE = 1e-9
 ORIGIN = (0.0, 0.0, 0.0)
@@ -240,13 +240,40 @@ class Chain:
         return self.replace(convention="modified", rows=rows, grasper=last @ self.grasper)
 
     def __repr__(self) -> str:
-        return table_text(self)
+        head, rows = _cells(self)
+        title = f"Chain '{self.joints}', {self.convention} Denavit-Hartenberg (m, rad)"
+        return "\n".join([title, *(text_table(head, rows) if rows else []), *_ends(self)])
 
     def _repr_html_(self) -> str:
-        return table_html(self)
+        title = f"{self.convention} Denavit-Hartenberg (m, rad)"
+        return html_table(title, *_cells(self), _ends(self))
 
 
 def _check_names(changes: Iterable[str], known: Sequence[str], owner: str) -> None:
     for name in changes:
         if name not in known:
             raise InputError(f"{owner} has no '{name}'; it has {', '.join(known)}")
+
+
+def _cells(chain: Chain) -> tuple[list[str], list[list[str]]]:
+    """Head and rows of the table to read, with each joint's variable in its place."""
+    link = "_{i-1}" if chain.convention == "modified" else "_i"
+    head = ["i", f"alpha{link}", f"a{link}", "d_i", "theta_i", "home", "limits"]
+    rows = []
+    for i, (alpha, a, d, theta) in enumerate(chain.rows):
+        revolute, offset, limits = chain.kinds[i] == "r", chain.offset[i], chain.limits[i]
+        show = angle_text if revolute else number_text
+        variable = f"q_{i + 1}"
+        if offset:
+            variable += f" {'+' if offset > 0 else '-'} {show(abs(offset))}"
+        joint = [number_text(d), variable] if revolute else [variable, angle_text(theta)]
+        span = f"[{', '.join(map(show, limits))}]" if np.isfinite(limits).any() else "none"
+        link_cells = [angle_text(alpha), number_text(a)]
+        rows.append([str(i + 1), *link_cells, *joint, show(chain.home[i]), span])
+    return head, rows
+
+
+def _ends(chain: Chain) -> list[str]:
+    """Base and grasper, where they are not just the frame they stand in."""
+    ends = (("base", chain.base), ("grasper", chain.grasper))
+    return [f"{name}: {place_text(T)}" for name, T in ends if not np.array_equal(T, np.eye(4))]

@@ -54,6 +54,10 @@ def dh(alpha: float, a: float, d: float, theta: float) -> DHRow:
     d, theta : float [m], [rad]
         Offset and angle of the joint.
 
+    Returns
+    -------
+    row : DHRow
+
     Warns
     -----
     DegreesWarning

@@ -1,17 +1,14 @@
-"""A Denavit-Hartenberg table to read: as text and as HTML, with its convention named."""
+"""Numbers, angles, poses and tables to read, as text and as HTML."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 from html import escape
-from math import inf, isfinite, pi
-from typing import TYPE_CHECKING
+from math import isfinite, pi
 
 import numpy as np
 from numpy.typing import NDArray
 
-from dhlab.kinematics.transforms import r2rpy
-
-if TYPE_CHECKING:
-    from dhlab.kinematics.chain import Chain
+from dhlab.kinematics.angles import r2rpy
 
 
 def number_text(x: float) -> str:
@@ -41,68 +38,62 @@ def angle_text(x: float) -> str:
     return f"{times}pi" + (f"/{part.denominator}" if part.denominator > 1 else "")
 
 
-def table_text(chain: "Chain") -> str:
-    """Text of a chain's table, a line for each row."""
-    head, rows = _cells(chain)
-    lines = [f"Chain '{chain.joints}', {chain.convention} Denavit-Hartenberg (m, rad)"]
-    widths = [max(map(len, column)) for column in zip(head, *rows, strict=True)]
-    for row in [head, *rows] if rows else []:
-        line = "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True))
-        lines.append(line.rstrip())
-    return "\n".join(lines + _ends(chain))
+def place_text(T: NDArray[np.float64]) -> str:
+    """Origin of a pose [m], and its roll, pitch and yaw [rad] where it is turned.
 
-
-def table_html(chain: "Chain") -> str:
-    """HTML of a chain's table."""
-    head, rows = _cells(chain)
-    parts = [f"<caption>{chain.convention} Denavit-Hartenberg (m, rad)</caption>", _row(head, "th")]
-    parts += [_row(row, "td") for row in rows]
-    ends = "".join(f"<br>{escape(end)}" for end in _ends(chain))
-    return f"<table>{''.join(parts)}</table>{ends}"
-
-
-def _cells(chain: "Chain") -> tuple[list[str], list[list[str]]]:
-    """Head and rows of the table; the variable of a joint stands in place of its home value."""
-    link = "_{i-1}" if chain.convention == "modified" else "_i"
-    head = ["i", f"alpha{link}", f"a{link}", "d_i", "theta_i", "home", "limits"]
-    rows = []
-    for i, (row, kind) in enumerate(zip(chain.rows, chain.kinds, strict=True)):
-        show = angle_text if kind == "r" else number_text
-        variable = f"q_{i + 1}"
-        if chain.offset[i]:
-            variable += f" {'-' if chain.offset[i] < 0 else '+'} {show(abs(chain.offset[i]))}"
-        lower, upper = chain.limits[i]
-        limits = f"[{show(lower)}, {show(upper)}]" if -inf < lower or upper < inf else "none"
-        d, theta = number_text(row.d), angle_text(row.theta)
-        d, theta = (d, variable) if kind == "r" else (variable, theta)
-        cells = [str(i + 1), angle_text(row.alpha), number_text(row.a), d, theta]
-        rows.append([*cells, show(chain.home[i]), limits])
-    return head, rows
-
-
-def _ends(chain: "Chain") -> list[str]:
-    """Base and grasper, where they are not just the frame they stand in."""
-    ends = (("base", chain.base), ("grasper", chain.grasper))
-    return [f"{name}: {_place(T)}" for name, T in ends if not np.array_equal(T, np.eye(4))]
-
-
-def _place(T: NDArray[np.float64]) -> str:
+    Examples
+    --------
+    >>> T = np.eye(4)
+    >>> T[:3, 3] = 0.1, 0, 2
+    >>> place_text(T)
+    'origin (0.1, 0, 2)'
+    """
     text = f"origin ({', '.join(map(number_text, T[:3, 3]))})"
     if np.array_equal(T[:3, :3], np.eye(3)):
         return text
     return f"{text}, roll, pitch, yaw ({', '.join(map(angle_text, r2rpy(T[:3, :3])))})"
 
 
-def _row(cells: list[str], tag: str) -> str:
-    return f"<tr>{''.join(f'<{tag}>{_pretty(cell)}</{tag}>' for cell in cells)}</tr>"
+def text_table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
+    """Lines of a table, its columns as wide as need be.
+
+    Examples
+    --------
+    >>> text_table(["i", "alpha_i"], [["1", "pi/2"]])
+    ['i  alpha_i', '1  pi/2']
+    """
+    widths = [max(map(len, column)) for column in zip(head, *rows, strict=True)]
+    lines = (
+        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True))
+        for row in [head, *rows]
+    )
+    return [line.rstrip() for line in lines]
 
 
-def _pretty(cell: str) -> str:
-    """HTML of a cell: Greek letters and lowered indices."""
+def html_table(
+    title: str, head: Sequence[str], rows: Sequence[Sequence[str]], notes: Sequence[str]
+) -> str:
+    """HTML of a table with Greek letters and lowered indices.
+
+    Examples
+    --------
+    >>> html_table("Table", ["theta_i"], [["pi/2"]], [])
+    '<table><caption>Table</caption><tr><th>θ<sub>i</sub></th></tr><tr><td>π/2</td></tr></table>'
+    """
+    lines = [_html_row(head, "th"), *(_html_row(row, "td") for row in rows)]
+    below = "".join(f"<br>{escape(note)}" for note in notes)
+    return f"<table><caption>{escape(title)}</caption>{''.join(lines)}</table>{below}"
+
+
+def _html_row(cells: Sequence[str], tag: str) -> str:
+    return f"<tr>{''.join(f'<{tag}>{_html_cell(cell)}</{tag}>' for cell in cells)}</tr>"
+
+
+def _html_cell(cell: str) -> str:
     for word, letter in (("alpha", "α"), ("theta", "θ"), ("pi", "π"), ("-", "−")):
         cell = cell.replace(word, letter)
-    name, index, rest = cell.partition("_")
-    if not index:
+    name, lowered, rest = cell.partition("_")
+    if not lowered:
         return cell
     index, _, rest = rest.partition(" ")
-    return f"<i>{name}</i><sub>{index.strip('{}')}</sub> {rest}".rstrip()
+    return f"{name}<sub>{index.strip('{}')}</sub> {rest}".rstrip()

@@ -113,8 +113,8 @@ __all__ = [
     "srevolution",
     "tetrahedron",
     "transl",
-    "typeset",
     "trj_poly3",
+    "typeset",
 ]
 
 

@@ -2,7 +2,7 @@
 import { THREE } from "./meshcat.js";
 
 const FIELD = 34;
-const MARGIN = 1.12;
+const MARGIN = 1.22;
 const GLIDE = 380;
 
 /** From where one looks at the scene, z up; a hair beside the vertical keeps the top view upright. */

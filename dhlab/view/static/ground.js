@@ -39,13 +39,13 @@ void main() {
 }`;
 
 const INKS = {
-  light: { ink: new THREE.Color(0x4a5a6c).convertSRGBToLinear(), strength: 0.42, shadow: 0.17 },
+  light: { ink: new THREE.Color(0x4a5a6c).convertSRGBToLinear(), strength: 0.38, shadow: 0.16 },
   dark: { ink: new THREE.Color(0xaebccb).convertSRGBToLinear(), strength: 0.34, shadow: 0.4 },
 };
 
-/** The step of 1, 2 or 5 times a power of ten that cuts `size` into about eight pieces. */
+/** The step of 1, 2 or 5 times a power of ten that cuts `size` into about five pieces. */
 export function gridStep(size) {
-  const wanted = Math.max(size, 1e-6) / 8;
+  const wanted = Math.max(size, 1e-6) / 5;
   const power = 10 ** Math.floor(Math.log10(wanted));
   const nearest = [1, 2, 5, 10].reduce((best, step) =>
     Math.abs(Math.log(step * power / wanted)) < Math.abs(Math.log(best * power / wanted))

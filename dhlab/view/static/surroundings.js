@@ -22,7 +22,7 @@ export class Surroundings {
     this.#scene = scene;
     this.ground = new Ground();
     this.#key = createKeyLight();
-    const sky = new THREE.HemisphereLight(0xffffff, 0x8b8680, 0.62);
+    const sky = new THREE.HemisphereLight(0xffffff, 0x8b8680, 0.58);
     sky.position.set(0, 0, 1);
     const fill = new THREE.DirectionalLight(0xdfe9ff, 0.28);
     fill.position.set(0.9, -0.5, 0.35);
@@ -68,7 +68,7 @@ export class Surroundings {
 }
 
 function createKeyLight() {
-  const light = new THREE.DirectionalLight(0xfff8ee, 0.62);
+  const light = new THREE.DirectionalLight(0xfff8ee, 0.6);
   light.castShadow = true;
   light.shadow.mapSize.set(1024, 1024);
   light.shadow.bias = -0.0005;

@@ -1,0 +1,206 @@
+"""Notebooks in a real JupyterLab, driven and looked into by tests.
+
+`Notebook` runs code and finds the views; `Shown` looks into one view of a page: poses as three.js
+has them, pixels, buttons. A view is found through the page's own object,
+``globalThis[Symbol.for("dhlab.page")].views`` (see ``dhlab/view/static/page.js``).
+"""
+
+import json
+import urllib.request
+from dataclasses import dataclass
+from io import BytesIO
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+import nbformat
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+from playwright.sync_api import Page
+
+PAGE = 'globalThis[Symbol.for("dhlab.page")]'
+NUMBERS = count(1)
+
+EXECUTE = """async (code) => {
+  const { kernel } = jupyterapp.shell.currentWidget.sessionContext.session;
+  const future = kernel.requestExecute({ code, stop_on_error: false });
+  const said = [];
+  future.onIOPub = ({ header, content }) => {
+    if (header.msg_type === "stream") said.push(content.text);
+    if (header.msg_type === "error") said.push(content.traceback.join("\\n"));
+  };
+  const { content } = await future.done;
+  return [content.status, said.join("")];
+}"""
+
+READY = """() => {
+  const panel = globalThis.jupyterapp?.shell.currentWidget;
+  return panel?.sessionContext?.session?.kernel?.status === "idle" && panel.content.widgets.length;
+}"""
+
+RUN_CELL = """async (index) => {
+  const { content, context } = jupyterapp.shell.currentWidget;
+  content.activeCellIndex = index;
+  await jupyterapp.commands.execute("notebook:run-cell");
+  const json = content.model.cells.get(index).toJSON();
+  return json.outputs;
+}"""
+
+ADD_CELL = """(source) => {
+  const { model } = jupyterapp.shell.currentWidget.content;
+  const index = model.cells.length;
+  model.sharedModel.insertCell(index, { cell_type: "code", source, metadata: {} });
+  return index;
+}"""
+
+STATES = """(stage) => {
+  stage.render();
+  const { canvas } = stage;
+  const flat = document.createElement("canvas");
+  flat.width = canvas.width;
+  flat.height = canvas.height;
+  flat.getContext("2d").drawImage(canvas, 0, 0);
+  return flat.toDataURL("image/png");
+}"""
+
+
+@dataclass(frozen=True)
+class Lab:
+    """A running server and the folder that it serves."""
+
+    url: str
+    root: Path
+
+    def write(self, *cells: str) -> str:
+        """Write a notebook; return its name."""
+        name = f"test_{next(NUMBERS)}.ipynb"
+        notebook = nbformat.v4.new_notebook(
+            cells=[nbformat.v4.new_code_cell(cell) for cell in cells],
+            metadata={"kernelspec": {"name": "python3", "display_name": "Python 3"}},
+        )
+        nbformat.write(notebook, self.root / name)
+        return name
+
+    def request(self, method: str, path: str) -> Any:
+        """Ask the server's own interface."""
+        request = urllib.request.Request(f"{self.url}/api/{path}", method=method)
+        with urllib.request.urlopen(request, timeout=20) as answer:
+            text = answer.read()
+        return json.loads(text) if text else None
+
+    def stop_kernels(self) -> None:
+        """Shut all kernels down."""
+        for session in self.request("GET", "sessions"):
+            self.request("DELETE", f"sessions/{session['id']}")
+
+
+class Notebook:
+    """A notebook that is open in a page."""
+
+    def __init__(self, lab: Lab, page: Page, name: str) -> None:
+        self.lab = lab
+        self.page = page
+        self.name = name
+        self.messages: list[str] = []
+        page.on("console", lambda said: self.messages.append(f"{said.type}: {said.text}"))
+        page.on("pageerror", lambda error: self.messages.append(f"error: {error}"))
+        self.open()
+
+    def open(self) -> None:
+        """Open the notebook, or load its page again, and wait for the kernel."""
+        workspace = f"{self.name.removesuffix('.ipynb')}-{next(NUMBERS)}"
+        self.page.goto(f"{self.lab.url}/lab/workspaces/{workspace}/tree/{self.name}")
+        self.page.wait_for_function(READY, timeout=60_000)
+
+    def run_cell(self, index: int) -> list[dict[str, Any]]:
+        """Run a cell of the notebook; return its outputs."""
+        outputs: list[dict[str, Any]] = self.page.evaluate(RUN_CELL, index)
+        errors = [output for output in outputs if output["output_type"] == "error"]
+        if errors:
+            raise AssertionError("\n".join(errors[0]["traceback"]))
+        return outputs
+
+    def run(self, code: str) -> list[dict[str, Any]]:
+        """Run code in a new cell at the end; return its outputs."""
+        return self.run_cell(self.page.evaluate(ADD_CELL, code))
+
+    def execute(self, code: str) -> str:
+        """Run code in the kernel without a cell; return what it prints."""
+        status, said = self.page.evaluate(EXECUTE, code)
+        if status != "ok":
+            raise AssertionError(said)
+        return str(said)
+
+    def value(self, expression: str) -> Any:
+        """Value of a Python expression, arrays as arrays."""
+        code = f"import json as _j, numpy as _n\nprint(_j.dumps(_n.asarray({expression}).tolist()))"
+        return np.asarray(json.loads(self.execute(code)))
+
+    def evaluate(self, script: str, argument: Any = None) -> Any:
+        """Value of JavaScript in the page."""
+        return self.page.evaluate(script, argument)
+
+    def views(self) -> int:
+        """How many views the page holds."""
+        return int(self.evaluate(f"{PAGE}?.views.length ?? 0"))
+
+    def view(self, name: str = "view", stage: int = -1) -> "Shown":
+        """Return the newest view of this name once it stands in the page."""
+        shown = Shown(self, name, stage)
+        self.page.wait_for_function(f"() => {shown.stage} !== undefined", timeout=30_000)
+        return shown
+
+
+class Shown:
+    """One output of one view in a page."""
+
+    def __init__(self, notebook: Notebook, name: str, stage: int) -> None:
+        self.notebook = notebook
+        self.connection = f"{PAGE}?.views.filter(v => v.name === {json.dumps(name)}).at(-1)"
+        self.stage = f"{self.connection}?.stages.at({stage})"
+
+    def evaluate(self, script: str) -> Any:
+        """Value of JavaScript in which `view` and `stage` are this output."""
+        return self.notebook.evaluate(
+            f"() => {{ const view = {self.connection}; const stage = {self.stage}; "
+            f"return ({script}); }}"
+        )
+
+    def wait_until(self, script: str, seconds: float = 10) -> None:
+        """Wait until JavaScript about `view` and `stage` is true."""
+        self.notebook.page.wait_for_function(
+            f"() => {{ const view = {self.connection}; const stage = {self.stage}; "
+            f"return view && stage && ({script}); }}",
+            timeout=1000 * seconds,
+        )
+
+    def settle(self) -> None:
+        """Wait until the camera stands still and the picture is drawn."""
+        self.notebook.page.wait_for_timeout(500)
+
+    def pose(self, path: str) -> NDArray[np.float64]:
+        """Pose of a node in the world as three.js has it, shape (4, 4)."""
+        numbers = self.evaluate(f"view.pose({json.dumps(path)}, stage)")
+        if numbers is None:
+            raise AssertionError(f"the page has no node {path!r}")
+        return np.array(numbers, dtype=float).reshape(4, 4)
+
+    def paths(self) -> list[str]:
+        """Paths of all nodes in the page."""
+        return list(self.evaluate("[...view.scene.paths.keys()]"))
+
+    def pixels(self) -> NDArray[np.uint8]:
+        """The picture as it is drawn now, without bars, shape (height, width, 3)."""
+        url = self.evaluate(f"({STATES})(stage)")
+        header, _, data = str(url).partition(",")
+        if header != "data:image/png;base64":
+            raise AssertionError(header)
+        import base64
+
+        picture = Image.open(BytesIO(base64.b64decode(data))).convert("RGB")
+        return np.asarray(picture)
+
+    def click(self, action: str) -> None:
+        """Press a button of the toolbar or of the player."""
+        self.evaluate(f"stage.element.querySelector('[data-action={action}]').click()")

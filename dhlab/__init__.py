@@ -92,6 +92,7 @@ __all__ = [
     "interpolate",
     "inverse",
     "link_transform",
+    "models",
     "polygon",
     "polyline",
     "prism",

@@ -147,7 +147,7 @@ def _description(label: str, r: Reading) -> str:
 def _note(number: int, r: Reading) -> ipywidgets.Label | None:
     if r.bounded:
         return None
-    lower, upper = map(r.text, r.span)
+    lower, upper = r.ends(r.span)
     text = f"{joint_label(r.kind, number)} has no limits: its slider goes from {lower} to {upper}"
     return ipywidgets.Label(f"{text} {r.unit}", _dom_classes=("dhlab-note",))
 

@@ -72,25 +72,24 @@ class Reading:
         near = (limit for limit in self.limits if abs(value - limit) <= SNAP)
         return next(near, min(max(value, self.limits[0]), self.limits[1]))
 
-    def text(self, value: float) -> str:
-        """Write a value in `unit`, without minus zero.
+    def ends(self, of: tuple[float, float] | None = None) -> tuple[str, str]:
+        """Write the limits in `unit`, short.
 
-        Examples
-        --------
-        >>> Reading("r", (-pi / 2, 0.0), (-pi / 2, 0.0)).text(-pi / 8)
-        '-22.5'
-        """
-        return f"{self.shown(value):z.{self.decimals}f}"
+        Parameters
+        ----------
+        of : tuple of 2 floats [rad or m], optional
+            What to write in place of the limits.
 
-    def ends(self) -> tuple[str, str]:
-        """Write the slider's ends, short; where there is no limit, that.
+        Returns
+        -------
+        lower, upper : str
 
         Examples
         --------
         >>> Reading("r", (-pi / 2, float("inf")), (-pi / 2, pi)).ends()
         ('−90', '∞')
         """
-        lower, upper = (_short(self.shown(limit)) for limit in self.limits)
+        lower, upper = (_short(self.shown(end)) for end in (of or self.limits))
         return lower, upper
 
 

@@ -70,7 +70,7 @@ def test_prismatic_joints_are_in_millimetres_or_metres_and_say_when_they_have_no
     assert panel.sliders[1].value == 100
     (group,) = panel._open().groups
     (note,) = [w.value for w in group.rows.children if isinstance(w, ipywidgets.Label)]
-    assert note == "d₃ has no limits: its slider goes from -500.0 to 500.0 mm"
+    assert note == "d₃ has no limits: its slider goes from −500 to 500 mm"
 
 
 def test_a_simple_robot_has_one_group_and_part_of_a_limb_its_own(limb):

@@ -1,0 +1,285 @@
+"""Panels in a real JupyterLab: dragged, typed into, played along with, looked at."""
+
+import numpy as np
+import pytest
+
+SETUP = """
+import gc
+import ipywidgets
+import numpy as np
+from dhlab import Panel, View, animate, models
+from dhlab.panel import side_by_side
+limb = models.upper_limb()
+def open_widgets():
+    gc.collect()
+    return len(ipywidgets.widgets.widget._instances)
+"""
+SHOW = "view = View('limb').add(limb); panel = Panel(limb)\nside_by_side(view, panel)"
+LATEST = "[...document.querySelectorAll('.dhlab-panel')].filter(p => p.offsetParent).at(-1)"
+TEXTS = f"[...{LATEST}.querySelectorAll('.widget-readout')].map(readout => readout.textContent)"
+PUBLICATIONS = """() => {
+  globalThis.published = [];
+  globalThis[Symbol.for("dhlab.page")].subscribe((changes) => published.push([...changes]));
+}"""
+
+
+class Sliders:
+    """The newest panel of a page, as a user has it."""
+
+    def __init__(self, notebook):
+        self.notebook = notebook
+        self.page = notebook.page
+        self.page.wait_for_function(f"() => {LATEST}?.querySelector('.noUi-handle')")
+        self.page.wait_for_timeout(300)
+
+    @property
+    def root(self):
+        return self.page.locator(".dhlab-panel").last
+
+    def texts(self):
+        """What the readouts say."""
+        return self.page.evaluate(TEXTS)
+
+    def values(self):
+        return np.array([float(text.replace("−", "-")) for text in self.texts()])
+
+    def handle(self, index):
+        return self.root.locator(".dhlab-joint .noUi-handle").nth(index)
+
+    def grab(self, index):
+        box = self.handle(index).bounding_box()
+        place = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        self.page.mouse.move(*place)
+        self.page.mouse.down()
+        return place
+
+    def drag(self, index, pixels, steps=12):
+        x, y = self.grab(index)
+        for way in np.linspace(0, pixels, steps):
+            self.page.mouse.move(x + way, y)
+            self.page.wait_for_timeout(15)
+        self.page.mouse.up()
+
+    def type(self, index, text):
+        self.root.locator(".dhlab-joint .widget-readout").nth(index).click()
+        self.page.keyboard.press("Control+a")
+        self.page.keyboard.insert_text(text)
+        self.page.keyboard.press("Enter")
+
+    def press(self, name):
+        self.root.get_by_role("button", name=name, exact=True).click()
+
+    def wait_for(self, values, seconds=5):
+        """Wait until the readouts say these values [deg], to the last digit shown."""
+        wanted = [f"{value:z.1f}".replace("-", "−") for value in values]
+        script = f"wanted => {TEXTS}.every((text, index) => text === wanted[index])"
+        try:
+            self.page.wait_for_function(script, arg=wanted, timeout=1000 * seconds)
+        except Exception as error:
+            raise AssertionError(f"{self.texts()} are not {wanted}") from error
+
+
+@pytest.fixture(scope="module")
+def notebook(open_notebook):
+    notebook = open_notebook(SETUP, SHOW, width=1280, height=900)
+    notebook.run_cell(0)
+    notebook.run_cell(1)
+    notebook.view("limb")
+    return notebook
+
+
+@pytest.fixture
+def sliders(notebook):
+    notebook.execute("limb.q = limb.home; panel._moves.history.clear()")
+    sliders = Sliders(notebook)
+    sliders.wait_for(np.degrees(notebook.value("limb.q")))
+    return sliders
+
+
+@pytest.mark.parametrize("width", [1280, 1920])
+def test_picture_and_27_sliders_are_in_sight_at_once(notebook, sliders, width):
+    notebook.page.set_viewport_size({"width": width, "height": 900})
+    notebook.page.wait_for_timeout(500)
+    picture = notebook.page.locator(".dhlab-beside > *").first.bounding_box()
+    assert picture["width"] > 300
+    assert picture["height"] == pytest.approx(480, abs=2)
+    for index in range(27):
+        row = sliders.root.locator(".dhlab-joint").nth(index).bounding_box()
+        assert picture["x"] + picture["width"] <= row["x"]
+        assert picture["y"] <= row["y"]
+        assert row["y"] + row["height"] <= picture["y"] + picture["height"]
+        assert row["x"] + row["width"] <= width
+        assert sliders.handle(index).is_visible()
+    notebook.page.set_viewport_size({"width": 1280, "height": 900})
+
+
+def test_a_dragged_slider_moves_its_joint_here_and_there(notebook, sliders):
+    before = notebook.value("limb.q")
+    sliders.drag(0, 25)
+    notebook.page.wait_for_timeout(300)
+    after = notebook.value("limb.q")
+    assert after[0] > before[0] + 0.3
+    assert np.array_equal(after[1:], before[1:])
+    assert np.degrees(after[0]) == pytest.approx(sliders.values()[0], abs=0.051)
+    shown = notebook.view("limb").pose("arm/1")
+    assert shown == pytest.approx(notebook.value("limb.frames()['arm/1']"), abs=1e-6)
+
+
+def test_one_drag_is_one_step_back(notebook, sliders):
+    before = notebook.value("limb.q")
+    sliders.drag(0, 20)
+    sliders.drag(4, 15)
+    sliders.press("Undo")
+    sliders.press("Undo")
+    sliders.wait_for(np.degrees(before))
+    assert np.array_equal(notebook.value("limb.q"), before)
+    assert notebook.value("panel._moves.history.can_undo").item() is False
+
+
+def test_a_slider_moves_the_picture_while_the_kernel_is_busy(notebook, sliders):
+    notebook.page.evaluate(
+        "() => { jupyterapp.shell.currentWidget.sessionContext.session.kernel"
+        ".requestExecute({ code: 'import time; time.sleep(2)' }); }"
+    )
+    notebook.page.wait_for_timeout(300)
+    before = notebook.view("limb").pose("arm/1")
+    sliders.drag(0, -20)
+    during = notebook.view("limb").pose("arm/1")
+    assert np.abs(during - before).max() > 0.1
+    notebook.page.wait_for_timeout(2500)
+    assert np.degrees(notebook.value("limb.q")[0]) == pytest.approx(sliders.values()[0], abs=0.051)
+    assert notebook.value("limb.frames()['arm/1']") == pytest.approx(during, abs=2e-3)
+
+
+def test_a_drag_to_the_end_is_the_limit_bit_for_bit(notebook, sliders):
+    sliders.drag(2, 400)
+    notebook.page.wait_for_timeout(300)
+    assert notebook.value("limb.q")[2] == notebook.value("limb.limits")[2, 1]
+
+
+def test_a_typed_value_moves_the_joint(notebook, sliders):
+    sliders.type(3, "133.25")
+    notebook.page.wait_for_timeout(300)
+    assert notebook.value("limb.q")[3] == np.radians(133.25)
+
+
+def test_a_typed_value_beyond_the_limits_ends_at_the_limit(notebook, sliders):
+    sliders.type(0, "1000")
+    notebook.page.wait_for_timeout(300)
+    assert notebook.value("limb.q")[0] == np.pi / 2
+
+
+def test_clicking_into_values_and_out_again_moves_nothing(notebook, sliders):
+    notebook.execute("limb.q = limb.clip(limb.home + 0.0123456)")
+    before = notebook.value("limb.q")
+    for index in (0, 3, 7, 11):
+        sliders.root.locator(".dhlab-joint .widget-readout").nth(index).click()
+    sliders.root.locator(".dhlab-buttons").click(position={"x": 450, "y": 5})
+    notebook.page.wait_for_timeout(300)
+    assert np.array_equal(notebook.value("limb.q"), before)
+
+
+def test_keys_move_a_slider_by_its_steps(notebook, sliders):
+    sliders.handle(0).focus()
+    for _ in range(5):
+        notebook.page.keyboard.press("ArrowRight")
+    notebook.page.wait_for_timeout(1200)
+    assert notebook.value("limb.q")[0] == pytest.approx(np.radians(0.5))
+    assert notebook.value("len(panel._moves.history._past)") == 1
+
+
+def test_a_change_by_code_moves_the_sliders_in_one_message(notebook, sliders):
+    notebook.page.evaluate(
+        """() => {
+          globalThis.updates = 0;
+          const { kernel } = jupyterapp.shell.currentWidget.sessionContext.session;
+          kernel.iopubMessage.connect((_, { header, content }) => {
+            updates += header.msg_type === "comm_msg" && content.data.state?.values !== undefined;
+          });
+          globalThis.comms = 0;
+          kernel.anyMessage.connect((_, { msg, direction }) => {
+            if (direction === "send" && msg.header.msg_type === "comm_msg") comms += 1;
+          });
+        }"""
+    )
+    notebook.execute("limb.q = limb.clip(limb.home + 0.2)")
+    sliders.wait_for(np.degrees(notebook.value("limb.q")))
+    notebook.page.wait_for_timeout(300)
+    assert notebook.page.evaluate("comms") == 0
+
+
+def test_the_sliders_follow_a_motion_and_end_where_it_ends(notebook, sliders):
+    notebook.page.evaluate(PUBLICATIONS)
+    notebook.execute(
+        "q0, q1 = limb.home, limb.clip(limb.home - 0.5)\n"
+        "move = lambda t: q0 + t * (q1 - q0)\n"
+        "animate(np.linspace(0, 1, 21), {limb: move})"
+    )
+    seen = set()
+    for _ in range(25):
+        seen.add(tuple(sliders.texts()))
+        notebook.page.wait_for_timeout(60)
+    assert len(seen) > 4
+    sliders.wait_for(np.degrees(notebook.value("move(1.0)")))
+    assert np.array_equal(notebook.value("limb.q"), notebook.value("move(1.0)"))
+    assert notebook.page.evaluate("published.length") > 4
+
+
+def test_a_motion_that_no_view_shows_moves_the_sliders_to_its_end(notebook, sliders):
+    notebook.execute("other = models.upper_limb()")
+    notebook.run("Panel(other)")
+    alone = Sliders(notebook)
+    notebook.execute("animate([0, 9], {other: lambda t: other.home - t / 100 * (other.home > 0)})")
+    alone.wait_for(np.degrees(notebook.value("other.q")))
+    notebook.run_cell(1)
+
+
+def test_a_group_folds_and_unfolds_while_the_kernel_is_busy(notebook, sliders):
+    notebook.page.evaluate(
+        "() => { jupyterapp.shell.currentWidget.sessionContext.session.kernel"
+        ".requestExecute({ code: 'import time; time.sleep(1.5)' }); }"
+    )
+    rows = sliders.root.locator(".dhlab-rows").nth(1)
+    sliders.root.locator(".dhlab-title").nth(1).click()
+    notebook.page.wait_for_timeout(200)
+    assert not rows.is_visible()
+    sliders.root.locator(".dhlab-title").nth(1).click()
+    notebook.page.wait_for_timeout(200)
+    assert rows.is_visible()
+
+
+def test_the_copied_code_gives_the_configuration_back(notebook, sliders):
+    notebook.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    sliders.press("Random")
+    sliders.press("Copy q")
+    notebook.page.wait_for_timeout(500)
+    text = notebook.page.evaluate("navigator.clipboard.readText()")
+    notebook.execute(text)
+    assert np.array_equal(notebook.value("q"), notebook.value("limb.q"))
+
+
+def test_a_page_that_is_loaded_again_shows_the_present_robot(notebook, sliders):
+    notebook.execute("limb.q = limb.clip(limb.home + 0.3)")
+    notebook.page.evaluate("jupyterapp.commands.execute('docmanager:save')")
+    notebook.page.wait_for_timeout(500)
+    notebook.open()
+    again = Sliders(notebook)
+    again.wait_for(np.degrees(notebook.value("limb.q")), seconds=20)
+    notebook.execute("limb.q = limb.home")
+    again.wait_for(np.degrees(notebook.value("limb.home")))
+    again.drag(0, 25)
+    notebook.page.wait_for_timeout(500)
+    assert notebook.value("limb.q")[0] > 0.2
+
+
+def test_a_cell_run_again_leaves_neither_widgets_nor_links_behind(notebook, sliders):
+    notebook.run_cell(1)
+    notebook.view("limb")
+    before = notebook.value("open_widgets()")
+    for _ in range(5):
+        notebook.run_cell(1)
+        notebook.page.wait_for_timeout(300)
+    Sliders(notebook)
+    assert notebook.value("open_widgets()") <= before
+    assert notebook.page.evaluate("globalThis[Symbol.for('dhlab.hands')].size") <= 2
+    assert not [text for text in notebook.messages if text.startswith("error")]

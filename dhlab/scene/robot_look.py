@@ -107,7 +107,8 @@ def spine(chain: Chain) -> list[NDArray[np.float64]]:
         if i > 0:
             start = inverse(afters[i - 1])[:3, 3]
             row = chain.rows[i - 1]
-            along_d = row.d if chain.joints[i - 1] == "r" else 0.0
+            behind = chain.convention == "standard" and chain.joints[i - 1] == "r"
+            along_d = row.d if behind else 0.0
             points = [start, start + along_d * inverse(afters[i - 1])[:3, 2], np.zeros(3)]
         if i < chain.n:
             if chain.convention == "modified":

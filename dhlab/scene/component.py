@@ -110,7 +110,7 @@ class Component:
     grasper_size: Setting[float] = Setting(
         setting.length_or_default,
         "float [m]: opening of the drawn gripper; 0 draws a fingertip; None: the default.",
-        read=lambda c: 2.2 * c.radius if c._grasper_size is None else c._grasper_size,
+        read=lambda c: 1.8 * c.radius if c._grasper_size is None else c._grasper_size,
     )
     radius: Setting[float] = Setting(
         setting.positive_or_default,

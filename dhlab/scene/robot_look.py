@@ -193,7 +193,7 @@ def _grasper(look: Appearance) -> dict[str, Node]:
     if size == 0:
         return {"tip": Node(shape=shapes.sphere(0.62 * r), style=look.style())}
     thick = 0.22 * size
-    jaw = shapes.cuboid(1.6 * thick, thick, 1.1 * size)
+    jaw = shapes.cuboid(1.6 * thick, thick, 0.9 * size)
     parts = [
         _at(shapes.cuboid(1.8 * thick, 1.9 * size, 1.2 * thick), (0, 0, 0)),
         _at(jaw, (0, 0.5 * (size + thick), thick)),

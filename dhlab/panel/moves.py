@@ -12,6 +12,10 @@ from dhlab.scene.robot import Robot
 class Moves:
     """Moves of a user's hand on a robot: one joint, or all at once; each can be undone.
 
+    A drag tells its grasp, but the slider that is dragged tells its value too, by another way that
+    may be shorter. `_hand` is the joint of the last move and its grasp, 0 while only the slider
+    has told: so that one drag is one move whichever comes first.
+
     Parameters
     ----------
     robot : Robot
@@ -19,12 +23,12 @@ class Moves:
         For `random`: the same seed, the same configurations.
     """
 
-    __slots__ = ("_generator", "_grasp", "_robot", "history")
+    __slots__ = ("_generator", "_hand", "_robot", "history")
 
     def __init__(self, robot: Robot, seed: int | None = None) -> None:
         self._robot = robot
         self._generator = np.random.default_rng(seed)
-        self._grasp: tuple[int, int] | None = None
+        self._hand: tuple[int, int] | None = None
         self.history = History()
 
     def set_joint(self, index: int, value: float, grasp: int | None = None) -> None:
@@ -41,23 +45,24 @@ class Moves:
         """
         with CHANGES:
             component, own = self._joint(index)
-            held = self._grasp
-            if grasp == 0:
-                self._grasp = None
-            if component.q[own] == value:
-                return
-            if held is None or held[0] != index or grasp not in (None, 0, held[1]):
+            changed = bool(component.q[own] != value)
+            if changed and self._begins(index, grasp):
                 self.history.add(self._robot.q)
-                self._grasp = (index, grasp) if grasp else None
-            q = component.q.copy()
-            q[own] = value
-            component.q = component.clip(q)
+                self._hand = (index, grasp or 0)
+            elif grasp and self._hand == (index, 0):
+                self._hand = (index, grasp)
+            if grasp == 0:
+                self._hand = None
+            if changed:
+                q = component.q.copy()
+                q[own] = value
+                component.q = component.clip(q)
 
     def go(self, q: ArrayLike) -> None:
         """Set all variables, as near to `q` as the limits allow."""
         with CHANGES:
             before, wanted = self._robot.q, self._robot.clip(q)
-            self._grasp = None
+            self._hand = None
             if not np.array_equal(before, wanted):
                 self.history.add(before)
                 self._robot.q = wanted
@@ -85,8 +90,15 @@ class Moves:
         with CHANGES:
             self._restore(self.history.redo(self._robot.q))
 
+    def _begins(self, index: int, grasp: int | None) -> bool:
+        """Whether a change begins a move: it does not come of the hand that is on the slider."""
+        if self._hand is None or self._hand[0] != index:
+            return True
+        held = self._hand[1]
+        return held == 0 or bool(grasp and grasp != held)
+
     def _restore(self, q: NDArray[np.float64] | None) -> None:
-        self._grasp = None
+        self._hand = None
         if q is not None:
             self._robot.q = self._robot.clip(q)
 

@@ -75,5 +75,8 @@ class JointSlider(ipywidgets.FloatSlider):
         super().set_state(sync_data)
 
     def _reads_the_same(self, shown: float) -> bool:
+        """Whether a value may be the readout's of the present one, rounded in the page's way."""
         digits = self.reading.decimals
-        return f"{shown:.{digits}f}" == f"{self.value:.{digits}f}"
+        unit, step = 10.0**-digits, self.reading.step
+        rounding = 0.5 * (unit + step if step < unit else unit) + 1e-9
+        return round(shown, digits) == shown and abs(shown - self.value) <= rounding

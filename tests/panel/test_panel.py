@@ -1,6 +1,7 @@
 """Panel and robot: two ways, one message, no echo, no leak."""
 
 import gc
+import math
 import time
 import weakref
 
@@ -175,17 +176,20 @@ def test_two_panels_of_one_robot_follow_each_other(limb):
     assert a.sliders[0].value == pytest.approx(12)
 
 
-def test_looking_at_a_typed_value_moves_nothing(page, limb):
-    limb.q = limb.clip(limb.home + 0.012345)
+@pytest.mark.parametrize("shift", [0, 0.012345])
+def test_looking_at_a_typed_value_moves_nothing(page, limb, shift):
+    limb.q = limb.clip(limb.home + shift)
     before = limb.q
     for index, slider in enumerate(page.panel.sliders):
-        page.release(index, float(f"{slider.value:.1f}"))
+        for rounded in (math.floor(10 * slider.value + 0.5), math.ceil(10 * slider.value - 0.5)):
+            page.release(index, rounded / 10)
     assert np.array_equal(limb.q, before)
 
 
 def test_a_typed_value_moves_its_joint(page, limb):
-    page.release(0, 12.5)
-    assert limb.q[0] == np.radians(12.5)
+    for value in (12.5, 12.45, 12.3):
+        page.release(0, value)
+        assert limb.q[0] == np.radians(value)
 
 
 def test_a_drag_moves_the_robot_and_is_answered(page, limb):
@@ -265,6 +269,24 @@ def test_two_drags_are_undone_one_after_the_other(page, limb):
     assert limb.q[0] == np.radians(10)
     page.panel.undo()
     assert np.array_equal(limb.q, start)
+
+
+def test_a_drag_is_one_move_also_when_the_slider_tells_before_the_hand(page, limb):
+    start = limb.q
+    page.release(0, 10.0)
+    page.drag(1, 1, 0, 10.0)
+    page.release(0, 20.0)
+    page.drag(2, 1, 0, 30.0)
+    page.drag(3, 0, 0, 30.0)
+    page.panel.undo()
+    assert np.array_equal(limb.q, start)
+
+
+def test_a_drag_after_typing_is_a_move_of_its_own(page, limb):
+    page.release(0, 10.0)
+    page.drag(1, 1, 0, 11.0)
+    page.panel.undo()
+    assert limb.q[0] == np.radians(10)
 
 
 def test_typing_after_a_drag_is_a_move_of_its_own(page, limb):

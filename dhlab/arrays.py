@@ -54,7 +54,7 @@ def as_array(value: ArrayLike, shape: Shape, what: str) -> NDArray[np.float64]:
     """
     a = _numbers(value, what)
     _check_shape(a, shape, what)
-    if not np.isfinite(a).all():
+    if np.count_nonzero(np.isfinite(a)) < a.size:
         index = np.argwhere(~np.isfinite(a))[0]
         where = f" at {index.tolist()}" if a.ndim else ""
         raise InputError(f"{what} must be finite, got {a[tuple(index)]}{where}")
@@ -253,6 +253,8 @@ def _check_shape(a: NDArray[np.float64], shape: Shape, what: str) -> None:
     last = shape[1:] if shape[:1] == (...,) else shape
     before = a.ndim - len(last)
     fits = before == 0 or (before > 0 and last != shape)
+    if fits and a.shape[before:] == last:
+        return
     if not fits or any(w not in (None, n) for w, n in zip(last, a.shape[before:], strict=True)):
         wanted = ["..."] * (fits and before > 0) + ["m" if w is None else str(w) for w in last]
         text = ", ".join(wanted) + "," * (len(wanted) == 1)

@@ -1,5 +1,6 @@
 """How a handle shows itself as the last expression of a cell."""
 
+import sys
 from typing import Any
 
 from dhlab.scene.handle import Handle
@@ -9,8 +10,7 @@ from dhlab.view.view import WIDGET, View
 def handle_mimebundle(handle: Handle, include: Any = None, exclude: Any = None) -> dict[str, Any]:
     """Return what a cell that ends in a handle shows: a view of its own, or a line of text.
 
-    IPython calls this for every `Handle`; ``dhlab/__init__.py`` registers it when IPython runs,
-    so that the scene needs to know nothing of views.
+    IPython calls this for every `Handle` once it is registered.
 
     Parameters
     ----------
@@ -27,3 +27,14 @@ def handle_mimebundle(handle: Handle, include: Any = None, exclude: Any = None) 
     if WIDGET in shown:
         bundle[WIDGET] = shown[WIDGET]
     return bundle
+
+
+def register() -> None:
+    """Let handles show themselves as the last expression of a cell, if IPython runs.
+
+    ``dhlab/__init__.py`` calls this, so that the scene needs to know nothing of views.
+    """
+    ipython = sys.modules.get("IPython")
+    shell = None if ipython is None else ipython.get_ipython()
+    if shell is not None:
+        shell.display_formatter.mimebundle_formatter.for_type(Handle, handle_mimebundle)

@@ -176,8 +176,9 @@ class Shown:
         )
 
     def settle(self) -> None:
-        """Wait until the camera stands still and the picture is drawn."""
+        """Wait until the camera stands still and the picture is drawn, half a second at least."""
         self.notebook.page.wait_for_timeout(500)
+        self.wait_until("stage.settled")
 
     def pose(self, path: str) -> NDArray[np.float64]:
         """Pose of a node in the world as three.js has it, shape (4, 4)."""

@@ -3,6 +3,7 @@
 import pytest
 
 from dhlab.view import View, handle_mimebundle
+from dhlab.view.display import register
 from dhlab.view.outputs import outputs_of
 from dhlab.view.view import WIDGET
 
@@ -68,6 +69,24 @@ def test_a_view_whose_cell_shows_something_else_is_closed_and_comes_back(kernel,
     run(kernel, lambda: None)
     again = run(kernel, view._repr_mimebundle_)
     assert again[WIDGET]["model_id"] != first[WIDGET]["model_id"]
+
+
+def test_ipython_is_told_once_how_handles_show_themselves(monkeypatch, box):
+    from IPython.core.formatters import DisplayFormatter
+
+    shell = Shell()
+    shell.display_formatter = DisplayFormatter()
+    monkeypatch.setattr("IPython.get_ipython", lambda: shell)
+    register()
+    register()
+    data, _ = shell.display_formatter.format(box)
+    assert data == {"text/plain": repr(box)}
+    assert shell.display_formatter.mimebundle_formatter.lookup(box) is handle_mimebundle
+
+
+def test_without_ipython_there_is_nobody_to_tell(monkeypatch):
+    monkeypatch.setattr("IPython.get_ipython", lambda: None)
+    register()
 
 
 def test_a_recording_view_shows_text_in_a_notebook_too(kernel, monkeypatch, box):

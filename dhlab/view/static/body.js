@@ -3,7 +3,7 @@ import { createLabel } from "./label.js";
 import { createLineMaterial, createSegments } from "./lines.js";
 import { THREE } from "./meshcat.js";
 
-const MATTE = { specular: 0x1c1c1c, shininess: 28 };
+const MATTE = { specular: 0x171717, shininess: 26 };
 
 /**
  * The body of `node`, made of what the `workshop` of a view has: its pools of geometries and

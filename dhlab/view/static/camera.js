@@ -65,6 +65,10 @@ export class Camera {
     camera.far = distance + Math.max(1.1 * radius, 2.5 * ground);
   }
 
+  get gliding() {
+    return this.#glide !== null;
+  }
+
   stop() {
     if (this.#glide !== null) cancelAnimationFrame(this.#glide);
     this.#glide = null;

@@ -89,6 +89,11 @@ export class Stage {
     });
   }
 
+  /** Whether the picture is up to date and stands still. */
+  get settled() {
+    return this.#frame === null && !this.camera.gliding;
+  }
+
   render() {
     this.#measure();
     const center = this.#box.isEmpty() ? new THREE.Vector3() : this.#box.getCenter(new THREE.Vector3());

@@ -1,0 +1,208 @@
+"""Planned motions and moving joints in a real page."""
+
+import numpy as np
+import pytest
+
+from .test_view import SETUP, near, same_poses
+
+PAGE = 'globalThis[Symbol.for("dhlab.page")]'
+PLAYERS = f"[...{PAGE}.players.values()]"
+TABLE = """
+table = [dh(0, 0, 0.2, 0), dh(pi/2, 0, 0, 0.3), dh(0, 0.4, 0, -0.3)]
+arm = robot(table, "rrp", name="arm", limits=[(-3, 3), (-3, 3), (-1, 1)])
+main = View("main", height=420, grid=False).add(arm)
+q0, qt = np.array([-1, 0.2, 0.0]), np.array([1, 1.2, 0.3])
+t = np.linspace(0, 1.5, 31)
+move = Trajectory.poly3([0, 1.5], q0, qt)
+"""
+
+
+@pytest.fixture(scope="module")
+def notebook(open_notebook):
+    notebook = open_notebook(SETUP, TABLE, "main")
+    for index in range(3):
+        notebook.run_cell(index)
+    return notebook
+
+
+@pytest.fixture
+def shown(notebook):
+    """The view of an arm that stands at q0 and plays nothing."""
+    notebook.execute("arm.clear_traces(); arm.q = qt; main.flush(); arm.q = q0; main.flush()")
+    shown = notebook.view("main")
+    shown.wait_until(f"{PLAYERS}.length === 0 && Math.abs({joint(1)} + 1) < 1e-12")
+    return shown
+
+
+def joint(number, what="shown.value"):
+    """JavaScript for the variable of a joint of the arm, as the page shows it."""
+    path = "/".join(["arm", *map(str, range(1, number + 1))])
+    return f"view.scene.nodes.get(view.scene.paths.get('{path}'))?.{what}"
+
+
+def test_a_motion_plays_by_itself_and_ends_in_the_last_state(notebook, shown):
+    before = shown.pixels()
+    notebook.execute("animate(t, {arm: move})")
+    shown.wait_until(f"{joint(1)} > -0.9 && {joint(1)} < 0.9")
+    assert shown.evaluate(f"{PLAYERS}.length === 1 && !stage.playerBar.element.hidden")
+    on_the_way = shown.pixels()
+    shown.wait_until(f"{PLAYERS}[0].time === 1.5 && !{PLAYERS}[0].playing", seconds=5)
+    assert same_poses(shown) < 1e-9
+    assert [shown.evaluate(joint(k)) for k in (1, 2, 3)] == [1, 1.2, 0.3]
+    after = shown.pixels()
+    for one, other in ((before, on_the_way), (on_the_way, after), (before, after)):
+        assert np.abs(one.astype(int) - other).mean() > 0.2
+
+
+def test_the_page_plays_while_the_kernel_is_busy(notebook, shown):
+    notebook.execute("animate(t, {arm: move}); main.flush()\nimport time; time.sleep(2.5)")
+    shown.wait_until(f"{joint(1)} === 1", seconds=0.5)
+
+
+def test_between_two_instants_joints_go_straight(notebook, shown):
+    notebook.execute("animate([0, 1], {arm: lambda t: q0 + t * (qt - q0)}); main.flush()")
+    shown.wait_until(f"{PLAYERS}.length === 1")
+    shown.evaluate(f"({PLAYERS}[0].pause(), {PLAYERS}[0].seek(0.25))")
+    expected = notebook.value("q0 + 0.25 * (qt - q0)")
+    assert np.allclose([shown.evaluate(joint(k)) for k in (1, 2, 3)], expected, atol=1e-12)
+
+
+def test_blocks_go_straight_and_turn_evenly(notebook, shown):
+    notebook.execute(
+        "brick = cuboid(0.2, 0.1, 0.05, name='brick'); main.add(brick)\n"
+        "animate([2, 4], {brick: lambda t: rp2t(rotz(t - 2), (t - 2, 0, 0))}); main.flush()"
+    )
+    shown.wait_until(f"view.scene.paths.has('brick') && {PLAYERS}.length === 1")
+    shown.evaluate(f"({PLAYERS}[0].pause(), {PLAYERS}[0].seek(2.5))")
+    expected = notebook.value("rp2t(rotz(0.5), (0.5, 0, 0))")
+    assert np.allclose(shown.pose("brick"), expected, atol=1e-6)
+    notebook.execute("main.remove(brick); main.flush()")
+    shown.wait_until(f"{PLAYERS}.length === 0")
+
+
+def test_the_bar_plays_pauses_steps_repeats_and_scrubs(notebook, shown):
+    notebook.execute("animate(t, {arm: move}); main.flush()")
+    shown.wait_until(f"{PLAYERS}.length === 1 && {PLAYERS}[0].time > 0.1")
+    bar = "stage.playerBar"
+    shown.click("pause")
+    held = shown.evaluate(f"{PLAYERS}[0].time")
+    shown.settle()
+    assert shown.evaluate(f"{PLAYERS}[0].time") == held
+    shown.evaluate(f"{bar}.forwardButton.click()")
+    stepped = shown.evaluate(f"{PLAYERS}[0].time")
+    assert 0 < stepped - held <= 0.05 + 1e-9
+    assert abs(stepped / 0.05 - round(stepped / 0.05)) < 1e-9
+    shown.evaluate(f"{bar}.backButton.click()")
+    assert abs(shown.evaluate(f"{PLAYERS}[0].time") - (stepped - 0.05)) < 1e-9
+    scrub = "(s => (s.value = '500', s.dispatchEvent(new Event('input'))))"
+    shown.evaluate(f"{scrub}({bar}.slider)")
+    assert shown.evaluate(f"{PLAYERS}[0].time") == pytest.approx(0.75)
+    assert shown.evaluate(f"{bar}.readout.value") == "0.75 / 1.50 s"
+    value = float(notebook.value("move(0.75)[0]"))
+    assert shown.evaluate(joint(1)) == pytest.approx(value, abs=1e-12)
+    shown.evaluate(f"({bar}.speed.value = '4', {bar}.speed.dispatchEvent(new Event('change')))")
+    shown.evaluate(f"({bar}.loopButton.click(), {bar}.playButton.click())")
+    shown.wait_until(f"{PLAYERS}[0].time < 0.5")
+    assert shown.evaluate(f"[{PLAYERS}[0].playing, {PLAYERS}[0].speed]") == [True, 4]
+    shown.evaluate(f"({bar}.loopButton.click(), {PLAYERS}[0].setSpeed(1))")
+
+
+def test_two_views_play_in_step(notebook, shown):
+    notebook.run("second = View('second', height=150).add(arm)\nsecond")
+    second = notebook.view("second")
+    notebook.execute("animate(t, {arm: move})")
+    second.wait_until(f"{joint(1)} > -0.9")
+    assert shown.evaluate(f"{PLAYERS}.length") == 1
+    shown.evaluate(f"{PLAYERS}[0].pause()")
+    assert shown.evaluate(joint(1)) == second.evaluate(joint(1))
+    notebook.execute("second.close()")
+
+
+def test_assigning_to_what_plays_stops_it(notebook, shown):
+    notebook.execute("animate(t, {arm: move}); main.flush()")
+    shown.wait_until(f"{joint(1)} > -0.95")
+    notebook.execute("arm.q = [0.5, 0.6, 0.7]; main.flush()")
+    shown.wait_until(f"{joint(1)} === 0.5 && {PLAYERS}.length === 0")
+    shown.settle()
+    assert [shown.evaluate(joint(k)) for k in (1, 2, 3)] == [0.5, 0.6, 0.7]
+    assert shown.evaluate("stage.playerBar.element.hidden")
+    assert same_poses(shown) < 1e-9
+
+
+def test_a_trace_grows_with_the_motion(notebook, shown):
+    notebook.execute("animate(t, {arm: move}, trace=True); main.flush()")
+    trace = "[...view.scene.nodes.values()].find(n => n.shape?.kind === 'lines' && n.curve)"
+    shown.wait_until(f"{trace} && {PLAYERS}.length === 1")
+    shown.evaluate(f"({PLAYERS}[0].pause(), {PLAYERS}[0].seek(0))")
+    count = f"stage.tree.group({trace}.path).children[0].geometry.instanceCount"
+    assert shown.evaluate(count) == 0
+    shown.evaluate(f"{PLAYERS}[0].seek(0.75)")
+    assert 10 < shown.evaluate(count) < 20
+    shown.evaluate(f"{PLAYERS}[0].seek(1.5)")
+    assert shown.evaluate(count) == shown.evaluate(f"{trace}.shape.segments.length / 6")
+
+
+def test_the_page_tells_of_joints_that_play(notebook, shown):
+    shown.evaluate(
+        f"(globalThis.heard = [], {PAGE}.subscribe((changes, source) => "
+        "globalThis.heard.push([[...changes], source.key])), 0)"
+    )
+    notebook.execute("animate(t, {arm: move})")
+    shown.wait_until(f"{PLAYERS}[0]?.time === 1.5", seconds=5)
+    heard = shown.evaluate("globalThis.heard")
+    key = shown.evaluate(joint(1, "joint.key"))
+    assert len(heard) > 5
+    assert dict(heard[-1][0])[key] == 1
+    assert heard[0][1] == shown.evaluate(f"{PLAYERS}[0].key")
+
+
+def test_a_slider_of_the_page_moves_a_joint_at_once_and_without_the_kernel(notebook, shown):
+    key = shown.evaluate(joint(1, "joint.key"))
+    before = shown.pose("arm/1/2")
+    shown.evaluate(f"{PAGE}.publish({{[{key!r}]: 0.25}}, 'slider')")
+    after = shown.pose("arm/1/2")
+    assert shown.evaluate(joint(1)) == 0.25
+    assert np.abs(after - before).max() > 0.1
+    assert float(notebook.value("arm.q[0]")) == -1
+    shown.settle()
+    assert shown.evaluate(joint(1)) == 0.25
+
+
+def test_an_older_answer_of_the_kernel_does_not_pull_a_dragged_joint_back(notebook, shown):
+    key = shown.evaluate(joint(1, "joint.key"))
+    shown.evaluate(f"{PAGE}.publish({{[{key!r}]: 0.25}}, 'slider')")
+    shown.evaluate(
+        "(() => { globalThis.jumps = []; const moved = stage.moved.bind(stage); "
+        "stage.moved = (node) => { moved(node); "
+        f"if (node.joint?.key === {key!r}) globalThis.jumps.push(node.shown.value); }}; }})()"
+    )
+    notebook.execute("arm.q = [0.2, 0.2, 0]; main.flush()")
+    shown.evaluate(f"{PAGE}.publish({{[{key!r}]: 0.3}}, 'slider')")
+    notebook.execute("arm.q = [0.3, 0.2, 0]; main.flush()")
+    shown.settle()
+    assert 0.2 not in shown.evaluate("globalThis.jumps")
+    assert shown.evaluate(joint(1)) == 0.3
+    shown.evaluate("delete stage.moved")
+
+
+def test_a_slider_takes_over_from_a_motion_until_it_is_played_again(notebook, shown):
+    notebook.execute("animate(t, {arm: move}); main.flush()")
+    shown.wait_until(f"{joint(1)} > -0.95")
+    key = shown.evaluate(joint(1, "joint.key"))
+    shown.evaluate(f"{PAGE}.publish({{[{key!r}]: 2.5}}, 'slider')")
+    shown.settle()
+    assert shown.evaluate(joint(1)) == 2.5
+    shown.evaluate(f"({PLAYERS}[0].pause(), {PLAYERS}[0].seek(1.5))")
+    assert shown.evaluate(joint(1)) == 1
+
+
+def test_a_page_loaded_again_rests_at_the_end_of_the_motion(notebook, shown):
+    notebook.execute("animate(t, {arm: move}); main.flush()")
+    notebook.page.evaluate("() => jupyterapp.commands.execute('docmanager:save')")
+    notebook.open()
+    again = notebook.view("main")
+    again.wait_until(f"{PLAYERS}.length === 1")
+    assert again.evaluate(f"[{PLAYERS}[0].time, {PLAYERS}[0].playing]") == [1.5, False]
+    assert again.evaluate("stage.playerBar.element.hidden") is False
+    assert same_poses(again) < 1e-9
+    assert near(again.pixels(), [0, 0x72, 0xB2], 90).mean() > 0.002

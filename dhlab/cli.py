@@ -4,7 +4,7 @@ import argparse
 import os
 import sys
 from collections.abc import Callable, Sequence
-from importlib.metadata import version
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -62,7 +62,7 @@ def parser() -> argparse.ArgumentParser:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    top.add_argument("--version", action="version", version=f"dhlab {version('dhlab')}")
+    top.add_argument("--version", action="version", version=f"dhlab {_version()}")
     commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
     for add in COMMANDS:
         add(commands)
@@ -143,6 +143,13 @@ def told(done: Refreshed) -> list[str]:
         lines.append(f"dhlab: brought up to date: {', '.join(done.updated)}")
     lines += [f"dhlab: kept your {name}; rename it to get dhlab's newer one" for name in done.kept]
     return lines
+
+
+def _version() -> str:
+    try:
+        return version("dhlab")
+    except PackageNotFoundError:
+        return "that is not installed"
 
 
 def _port(text: str) -> int:

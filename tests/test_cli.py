@@ -7,14 +7,16 @@ import socket
 import subprocess
 import sys
 import time
-import urllib.error
 import urllib.request
+from pathlib import Path
 
 import pytest
 
 from dhlab import cli
 from dhlab.errors import DhlabError
 from dhlab.workcopy import RECORD, refresh, shipped
+
+ROOT = Path(__file__).parents[1]
 
 
 @pytest.fixture
@@ -170,40 +172,41 @@ def test_what_was_done_is_told_in_lines(sources, folder):
 
 @pytest.fixture
 def server(tmp_path):
-    """A running `dhlab lab` without a token: its address and what it has said, read at the end."""
+    """A running `dhlab lab` without a token: its address and its process."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
     command = [sys.executable, "-m", "dhlab", "lab", "--no-browser", "--no-token"]
+    paths = {"PYTHONPATH": os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH")]))}
     home = {name: str(tmp_path / name) for name in ("HOME", "JUPYTER_DATA_DIR", "IPYTHONDIR")}
     process = subprocess.Popen(
         [*command, "--port", str(port), "--dir", "work"],
         cwd=tmp_path,
-        env=os.environ | home,
+        env=os.environ | paths | home,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )
-    yield f"http://127.0.0.1:{port}"
+    yield f"http://127.0.0.1:{port}", process
     process.terminate()
     process.wait(timeout=20)
 
 
-def fetch(address, seconds=30.0):
+def fetch(server, path, seconds=30.0):
     """Answer of a server that may still be starting."""
+    address, process = server
     end = time.monotonic() + seconds
     while True:
         try:
-            with urllib.request.urlopen(address, timeout=seconds) as answer:
-                return answer.read().decode()
-        except (urllib.error.URLError, ConnectionError):
-            if time.monotonic() > end:
+            with urllib.request.urlopen(address + path, timeout=seconds) as answer:
+                return json.load(answer)
+        except OSError:
+            if process.poll() is not None or time.monotonic() > end:
                 raise
             time.sleep(0.1)
 
 
 def test_lab_serves_the_working_copy_and_saves_the_state_of_widgets(server):
-    index = json.loads(fetch(f"{server}/api/contents/{cli.INDEX}"))
-    assert index["type"] == "notebook"
+    assert fetch(server, f"/api/contents/{cli.INDEX}")["type"] == "notebook"
     plugin = "@jupyter-widgets/jupyterlab-manager:plugin"
-    settings = json.loads(fetch(f"{server}/lab/api/settings/{plugin}"))
+    settings = fetch(server, f"/lab/api/settings/{plugin}")
     assert settings["schema"]["properties"]["saveState"]["default"] is True

@@ -3,6 +3,7 @@
 import ast
 import importlib
 import inspect
+import os
 import re
 import subprocess
 import sys
@@ -99,7 +100,7 @@ def test_the_code_of_the_readme_runs(tmp_path):
     text = (ROOT / "README.md").read_text("utf-8")
     blocks = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
     assert blocks
-    code = ["import os", "os.environ['DHLAB_VIEW'] = 'record'", *blocks]
-    run = [sys.executable, "-W", "error", "-c", "\n".join(code)]
-    done = subprocess.run(run, cwd=tmp_path, capture_output=True, text=True, check=False)
+    run = [sys.executable, "-W", "error", "-c", "\n".join(blocks)]
+    env = os.environ | {"DHLAB_VIEW": "record", "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(run, cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

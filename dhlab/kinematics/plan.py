@@ -65,32 +65,32 @@ class Plan:
     """
 
     def __init__(self, tree: Sequence[Frame]) -> None:
-        rank: list[tuple[int, bool]] = []
+        rank: list[tuple[int, bool]] = []  # depth in the tree; whether something stands behind
         for frame in tree:
             depth = rank[frame.parent][0] + 1 if frame.parent != WORLD else 0
             rank.append((depth, not np.array_equal(frame.after, np.eye(4))))
         by_level = sorted(range(len(tree)), key=rank.__getitem__)
-        self.place = np.argsort(by_level)
         frames = [tree[i] for i in by_level]
-        self.variables = np.array([frame.variable for frame in frames])
         kinds = {frame.variable: frame.kind for frame in frames}
+        self.place = np.argsort(by_level)
+        self.variables = np.array([frame.variable for frame in frames])
         self.turns = np.array([[[kinds[i] == "r"]] for i in range(len(kinds))])
         self.terms = np.array([_terms(frame) for frame in frames]).reshape(-1, 4, 16)
         self.before_T = np.array([[frame.before.T] for frame in frames])
         self.after_T = np.array([[frame.after.T] for frame in frames])
-        levels = groupby(range(len(tree)), lambda i: rank[by_level[i]])
-        self.levels = [self._level(list(numbers), frames) for _, numbers in levels]
-        self.upper_levels = [level[:3] for level in self.levels if level.parents != WORLD]
+        levels = groupby(enumerate(frames), lambda numbered: rank[by_level[numbered[0]]])
+        self.levels = [self._level(dict(level), go_on) for (_, go_on), level in levels]
+        grounded = len({r for r in rank if r[0] == 0})  # so many levels hang on the world
+        self.products = [level[:3] for level in self.levels[grounded:]]
 
-    def _level(self, numbers: list[int], frames: list[Frame]) -> Level:
-        members = [frames[i] for i in numbers]
-        parents = [f.parent if f.parent == WORLD else int(self.place[f.parent]) for f in members]
+    def _level(self, frames: dict[int, Frame], go_on: bool) -> Level:
+        numbers, parents = list(frames), [frame.parent for frame in frames.values()]
         return Level(
             slice(numbers[0], numbers[-1] + 1) if len(numbers) > 1 else numbers[0],
-            _index(parents),
+            WORLD if parents[0] == WORLD else _index(self.place[parents].tolist()),
             np.matmul if len(numbers) > 1 else np.dot,
-            any(frame.kind == "p" for frame in members),
-            not np.array_equal(members[0].after, np.eye(4)),
+            any(frame.kind == "p" for frame in frames.values()),
+            go_on,
         )
 
     def one(self, q: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -106,7 +106,7 @@ class Plan:
         factors[:, 0, 3] = q
         links: NDArray[np.float64] = (factors @ self.terms).reshape(-1, 4, 4)
         T = links.copy()
-        for i, parents, multiply in self.upper_levels:
+        for i, parents, multiply in self.products:
             multiply(T[parents], links[i], T[i])
         T = T.take(self.place, axis=0)
         T.flags.writeable = False

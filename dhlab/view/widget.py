@@ -110,8 +110,10 @@ class WidgetBackend:
         self.widget.send_batch(batch)
 
     def close(self) -> None:
-        """Take the widget out of the page and out of ipywidgets' registry."""
+        """Take the widget out of the page and, with its layout, out of ipywidgets' registry."""
+        layout = self.widget.layout
         self.widget.close()
+        layout.close()
 
 
 def _library_keeper() -> Callable[[], Library]:

@@ -1,6 +1,7 @@
 """Pieces that the tests of the views share."""
 
 from collections.abc import Callable, Iterator
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,8 @@ from dhlab.scene.handle import CHANGES, Handle
 from dhlab.scene.node import Node, Style
 from dhlab.shapes import cube
 from dhlab.view import RecordingBackend, View
+
+NUMBERS = count()
 
 
 class Box(Handle):
@@ -83,7 +86,7 @@ def comms(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[FakeComm]]:
     opened: list[FakeComm] = []
 
     def create(**options: Any) -> FakeComm:
-        opened.append(FakeComm(f"comm-{len(opened)}", options))
+        opened.append(FakeComm(f"comm-{next(NUMBERS)}", options))
         return opened[-1]
 
     monkeypatch.setattr("ipywidgets.comm.create_comm", create)

@@ -1,7 +1,7 @@
 """Robot kinematics in a notebook: from a Denavit-Hartenberg row to a moving limb in the cell.
 
 The names below are the whole public face of dhlab; modules behind them may move. Names that need
-a screen (`View`, `show`, `Panel`) are loaded when they are first used.
+a screen (`View`, `show`, `Panel`, `side_by_side`) are loaded when they are first used.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -48,10 +48,15 @@ from dhlab.scene.robots import robot, robot_complex
 from dhlab.shapes import arc
 
 if TYPE_CHECKING:
-    from dhlab.panel import Panel
+    from dhlab.panel import Panel, side_by_side
     from dhlab.view import View, show
 
-ON_A_SCREEN = {"Panel": "dhlab.panel", "View": "dhlab.view", "show": "dhlab.view"}
+ON_A_SCREEN = {
+    "Panel": "dhlab.panel",
+    "View": "dhlab.view",
+    "show": "dhlab.view",
+    "side_by_side": "dhlab.panel",
+}
 
 __all__ = [
     "AttachError",
@@ -110,6 +115,7 @@ __all__ = [
     "rpy2r",
     "shapes",
     "show",
+    "side_by_side",
     "sphere",
     "srevolution",
     "tetrahedron",

@@ -136,11 +136,12 @@ class Node:
 
 def same_place(a: Node, b: Node) -> bool:
     """Whether two nodes stand at the same place, now and in their planned motion."""
-    return (
-        a.value == b.value
-        and a.curve is b.curve
-        and (a.pose is b.pose or bool(np.array_equal(a.pose, b.pose)))
-    )
+    return a.value == b.value and a.curve is b.curve and same_pose(a, b)
+
+
+def same_pose(a: Node, b: Node) -> bool:
+    """Whether two nodes have the same pose, whatever their joints do."""
+    return a.pose is b.pose or bool(np.array_equal(a.pose, b.pose))
 
 
 def same_body(a: Node, b: Node) -> bool:
@@ -150,7 +151,7 @@ def same_body(a: Node, b: Node) -> bool:
 
 def same_paint(a: Node, b: Node) -> bool:
     """Whether two nodes are painted alike."""
-    return a.visible == b.visible and a.style == b.style
+    return a.visible == b.visible and (a.style is b.style or a.style == b.style)
 
 
 def same_shape(a: Shape | None, b: Shape | None) -> bool:
@@ -160,6 +161,6 @@ def same_shape(a: Shape | None, b: Shape | None) -> bool:
 
 def same_joint(a: Joint | None, b: Joint | None) -> bool:
     """Whether two joints are one."""
-    if a is None or b is None:
+    if a is b or a is None or b is None:
         return a is b
     return a.kind == b.kind and a.key == b.key and np.array_equal(a.after, b.after)

@@ -118,9 +118,7 @@ def apply(nodes: dict[str, Node], batch: Iterable[Command]) -> None:
             case Put(path, node):
                 nodes[path] = node
             case Place(path, node):
-                nodes[path] = replace(
-                    nodes[path], pose=node.pose, value=node.value, curve=node.curve
-                )
+                nodes[path] = _placed(nodes[path], node)
             case Paint(path, node):
                 nodes[path] = replace(nodes[path], style=node.style, visible=node.visible)
             case Remove(path):
@@ -137,6 +135,13 @@ def _changes(path: str, before: Node | None, node: Node) -> list[Command]:
     if not same_paint(before, node):
         commands.append(Paint(path, node))
     return commands
+
+
+def _placed(node: Node, place: Node) -> Node:
+    """Return a node at the place of another, which may be the same but for its place."""
+    if node.shape is place.shape and node.joint is place.joint and same_paint(node, place):
+        return place
+    return replace(node, pose=place.pose, value=place.value, curve=place.curve)
 
 
 def _parent(path: str) -> str:

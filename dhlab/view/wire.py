@@ -8,15 +8,16 @@ a joint is one float64 and the uint32 number of its node, a pose twelve float32.
 
 import json
 from collections.abc import Iterable, Mapping
+from functools import cached_property
 from itertools import count
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from dhlab.scene.node import Curve, Joint, Node, Shape, Style
+from dhlab.scene.node import Curve, Joint, Node, Shape, Style, same_pose
 from dhlab.shapes import Label, Lines, Mesh
-from dhlab.view.commands import Command, Paint, Place, Put, Remove, apply, diff
+from dhlab.view.commands import Command, Paint, Place, Put, Remove, apply
 
 FORMAT = 1
 
@@ -35,11 +36,10 @@ class Wire:
     """
 
     def __init__(self, nodes: Mapping[str, Node]) -> None:
-        self.nodes: dict[str, Node] = {}
+        self.nodes = dict(nodes)
         self.sequence = 0
-        self._numbers: dict[str, int] = {}
         self._unused = count(1)
-        self._remember(diff({}, nodes))
+        self._numbers = {path: next(self._unused) for path in nodes}
 
     def batch(self, commands: list[Command]) -> tuple[Header, bytes]:
         """Header and buffer of the next batch; from then on it counts as told.
@@ -54,21 +54,24 @@ class Wire:
         buffer : bytes
         """
         self.sequence += 1
-        message = _Message(self.sequence)
-        known = {node.shape.digest for node in self.nodes.values() if node.shape is not None}
-        clocks = {node.curve.clock.key for node in self.nodes.values() if node.curve is not None}
-        before = {c.path: self.nodes.get(c.path) for c in commands if not isinstance(c, Remove)}
-        message.remove(self._numbers[c.path] for c in commands if isinstance(c, Remove))
-        self._remember(commands)
+        for command in commands:
+            if isinstance(command, Put) and command.path not in self._numbers:
+                self._numbers[command.path] = next(self._unused)
+        message = _Message(self.sequence, self._numbers, self.nodes)
+        message.remove(command.path for command in commands if isinstance(command, Remove))
         for command in commands:
             match command:
                 case Put(path, node):
-                    message.put(self._numbers[path], path, node, known, clocks)
+                    message.put(path, node)
                 case Place(path, node):
-                    message.place(self._numbers[path], before[path], node, clocks)
+                    message.place(path, node)
                 case Paint(path, node):
-                    message.paint(self._numbers[path], node)
-        return message.finish()
+                    message.paint(path, node)
+        header, buffer = message.finish()
+        apply(self.nodes, commands)
+        if any(isinstance(command, Remove) for command in commands):
+            self._numbers = {path: self._numbers[path] for path in self.nodes}
+        return header, buffer
 
     def snapshot(self, play: bool = False) -> bytes:
         """Return the whole scene as it was told, in one piece.
@@ -83,31 +86,31 @@ class Wire:
         snapshot : bytes
             Length of the header (uint32), the header, padding to 8 bytes, the buffer.
         """
-        message = _Message(self.sequence)
-        known: set[str] = set()
-        clocks: set[str] = set()
+        message = _Message(self.sequence, self._numbers, {})
         for path, node in self.nodes.items():
-            message.put(self._numbers[path], path, node, known, clocks)
+            message.put(path, node)
         header, buffer = message.finish()
-        header |= {"fresh": True, "play": sorted(clocks) if play else []}
+        header |= {"fresh": True, "play": sorted(header.get("clocks", ())) if play else []}
         text = json.dumps(header, separators=(",", ":")).encode()
         start = len(text).to_bytes(4, "little") + text
         return start + bytes(-len(start) % 8) + buffer
 
-    def _remember(self, commands: Iterable[Command]) -> None:
-        commands = list(commands)
-        apply(self.nodes, commands)
-        for command in commands:
-            if isinstance(command, Put) and command.path not in self._numbers:
-                self._numbers[command.path] = next(self._unused)
-        if any(isinstance(command, Remove) for command in commands):
-            self._numbers = {path: self._numbers[path] for path in self.nodes}
-
 
 class _Message:
-    """A header and a buffer that grow command by command."""
+    """A header and a buffer that grow command by command.
 
-    def __init__(self, sequence: int) -> None:
+    Parameters
+    ----------
+    sequence : int
+    numbers : mapping of str to int
+        Numbers of the nodes by path.
+    told : mapping of str to Node
+        What the page shows so far.
+    """
+
+    def __init__(self, sequence: int, numbers: Mapping[str, int], told: Mapping[str, Node]) -> None:
+        self._numbers = numbers
+        self._told = told
         self._header: Header = {"kind": "batch", "format": FORMAT, "seq": sequence}
         self._chunks: list[bytes] = []
         self._size = 0
@@ -115,38 +118,50 @@ class _Message:
         self._joints: list[tuple[int, float]] = []
         self._poses: list[tuple[int, NDArray[np.float64]]] = []
 
-    def remove(self, numbers: Iterable[int]) -> None:
-        """Nodes that go."""
-        self._extend("removes", list(numbers))
+    @cached_property
+    def _known(self) -> set[str]:
+        """Digests of the geometry that the page has."""
+        return {node.shape.digest for node in self._told.values() if node.shape is not None}
 
-    def put(self, number: int, path: str, node: Node, known: set[str], clocks: set[str]) -> None:
+    @cached_property
+    def _clocks(self) -> set[str]:
+        """Keys of the clocks that the page has."""
+        return {node.curve.clock.key for node in self._told.values() if node.curve is not None}
+
+    def remove(self, paths: Iterable[str]) -> None:
+        """Nodes that go."""
+        self._extend("removes", [self._numbers[path] for path in paths])
+
+    def put(self, path: str, node: Node) -> None:
         """Add a node that is new or draws another shape; geometry the page has is only named."""
-        entry: Header = {"id": number, "path": path, "pose": self._pack(node.pose[:3], "<f8")}
-        entry["style"] = self._style(node.style)
+        entry: Header = {"id": self._numbers[path], "path": path}
+        entry |= {"pose": self._pack(node.pose[:3], "<f8"), "style": self._style(node.style)}
         if node.joint is not None:
             entry |= {"joint": _joint(node.joint), "value": float(node.value)}
         if node.shape is not None:
             entry["shape"] = node.shape.digest
-            self._geometry(node.shape, known)
+            self._geometry(node.shape)
         if not node.visible:
             entry["visible"] = False
         if node.curve is not None:
-            entry["curve"] = self._curve(node.curve, clocks)
+            entry["curve"] = self._curve(node.curve)
         self._extend("puts", [entry])
 
-    def place(self, number: int, before: Node | None, node: Node, clocks: set[str]) -> None:
+    def place(self, path: str, node: Node) -> None:
         """Move a node: of a joint the value, of any other the pose, and its motion if it is new."""
+        number, before = self._numbers[path], self._told.get(path)
         if node.joint is not None:
             self._joints.append((number, node.value))
-        if node.joint is None or before is None or not np.array_equal(before.pose, node.pose):
+        if node.joint is None or before is None or not same_pose(before, node):
             self._poses.append((number, node.pose))
         if before is None or before.curve is not node.curve:
-            curve = None if node.curve is None else self._curve(node.curve, clocks)
+            curve = None if node.curve is None else self._curve(node.curve)
             self._extend("curves", [(number, curve)])
 
-    def paint(self, number: int, node: Node) -> None:
+    def paint(self, path: str, node: Node) -> None:
         """Paint a node."""
-        self._extend("paints", [(number, self._style(node.style), node.visible)])
+        paint = (self._numbers[path], self._style(node.style), node.visible)
+        self._extend("paints", [paint])
 
     def finish(self) -> tuple[Header, bytes]:
         """Header and buffer, what moved packed into two arrays each."""
@@ -168,10 +183,10 @@ class _Message:
             self._header["styles"] = [_style(style) for style in self._styles]
         return self._header, b"".join(self._chunks)
 
-    def _geometry(self, shape: Shape, known: set[str]) -> None:
-        if shape.digest in known:
+    def _geometry(self, shape: Shape) -> None:
+        if shape.digest in self._known:
             return
-        known.add(shape.digest)
+        self._known.add(shape.digest)
         self._header.setdefault("geometry", {})[shape.digest] = self._shape(shape)
 
     def _shape(self, shape: Shape) -> Header:
@@ -195,10 +210,10 @@ class _Message:
             "edges": self._pack(mesh.vertices[mesh.edges], "<f4"),
         }
 
-    def _curve(self, curve: Curve, clocks: set[str]) -> Header:
+    def _curve(self, curve: Curve) -> Header:
         clock, samples = curve.clock, np.asarray(curve.samples)
-        if clock.key not in clocks:
-            clocks.add(clock.key)
+        if clock.key not in self._clocks:
+            self._clocks.add(clock.key)
             times = {"count": len(clock.times), "at": self._pack(clock.times, "<f8")}
             self._header.setdefault("clocks", {})[clock.key] = times
         poses = samples.ndim == 3

@@ -79,7 +79,7 @@ def dh(alpha: float, a: float, d: float, theta: float) -> DHRow:
     values = {"alpha": alpha, "a": a, "d": d, "theta": theta}
     row = DHRow(**{k: as_number(value, f"{k} of a table row") for k, value in values.items()})
     for name, angle in (("alpha", row.alpha), ("theta", row.theta)):
-        if abs(angle) > 2 * pi:
+        if abs(angle) > 2 * pi + 1e-9:
             warnings.warn(
                 f"{name} of a table row is {angle:g} rad, which is {degrees(angle):.0f} deg; "
                 f"if {angle:g} deg is meant, write {angle:g} * deg",

@@ -70,7 +70,10 @@ class Mechanism:
                 raise InputError(f"parent of '{branch.name}' must come before it in the branches")
             n = branches[branch.parent].chain.n if branch.parent >= 0 else 0
             if branch.at not in range(n + 1):
-                raise InputError(f"'{branch.name}' is attached at frame {branch.at} of 0 to {n}")
+                raise InputError(
+                    f"'{branch.name}' is attached at frame {branch.at}; "
+                    f"its parent has frames 0 to {n}"
+                )
 
     @cached_property
     def n(self) -> int:

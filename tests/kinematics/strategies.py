@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from dhlab.kinematics.angles import rpy2r
 from dhlab.kinematics.chain import Chain
+from dhlab.kinematics.dh import DHRow
 from dhlab.kinematics.mechanism import Branch, Mechanism
 from dhlab.kinematics.transforms import rp2t
 
@@ -21,6 +22,7 @@ lengths = st.floats(-2, 2)
 rotations = st.builds(rpy2r, angles, angles, angles)
 points = st.tuples(lengths, lengths, lengths).map(np.array)
 poses = st.builds(rp2t, rotations, points)
+rows = st.builds(DHRow, angles, lengths, lengths, angles)
 conventions = st.sampled_from(["modified", "standard"])
 
 
@@ -29,7 +31,7 @@ def chains(draw):
     letters = draw(st.text("rp", max_size=4))
     n = len(letters)
     return Chain(
-        draw(st.lists(st.tuples(angles, lengths, lengths, angles), min_size=n, max_size=n)),
+        draw(st.lists(rows, min_size=n, max_size=n)),
         letters,
         convention=draw(conventions),
         base=draw(poses),

@@ -8,13 +8,11 @@ SETUP = """
 import gc
 import ipywidgets
 import numpy as np
-from dhlab import Panel, View, animate, models
-from dhlab.panel import side_by_side
+from dhlab import Panel, View, animate, models, side_by_side
 limb = models.upper_limb()
 def open_widgets():
     gc.collect()
-    widgets = ipywidgets.widgets.widget._instances.values()
-    return sum(not isinstance(widget, ipywidgets.Layout) for widget in widgets)
+    return len(ipywidgets.widgets.widget._instances)
 """
 SHOW = "view = View('limb').add(limb); panel = Panel(limb)\nside_by_side(view, panel)"
 LATEST = "[...document.querySelectorAll('.dhlab-panel')].filter(p => p.offsetParent).at(-1)"

@@ -12,9 +12,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from numpy import pi
 
-from dhlab import View, animate, dh, models, robot, robot_complex
+from dhlab import Panel, View, animate, dh, models, robot, robot_complex, side_by_side
 from dhlab.errors import InputError
-from dhlab.panel import Panel, side_by_side
 
 Q0 = np.r_[0, -pi, 0, pi / 2, pi / 2, pi / 2, pi, -pi / 8, pi / 2, 0, 0, np.zeros(16)]
 QT = np.r_[

@@ -26,6 +26,8 @@ function watchHands() {
     const link = mark && links.get(mark[1]);
     if (!link || !bar.noUiSlider || watched.has(bar)) return;
     watched.add(bar);
+    const label = bar.closest(".dhlab-joint").querySelector(".widget-label")?.title;
+    bar.querySelector(".noUi-handle")?.setAttribute("aria-label", label ?? "");
     const index = Number(mark[2]);
     bar.noUiSlider.on("start.dhlab", () => links.get(mark[1])?.grasp());
     bar.noUiSlider.on("slide.dhlab", (values, handle, unencoded) => {

@@ -138,11 +138,11 @@ def gripper(name: str = "gripper") -> Robot:
     jaws = []
     for side, turn in (("left", -pi / 2), ("right", pi / 2)):
         jaw = robot(
-            [dh(turn, 0, 0.05, 0)],
+            [dh(turn, 0, 0.06, 0)],
             "p",
             name=side,
-            base=(0, 0, 0.1),
-            limits=[(0.01, 0.1)],
+            base=(0, 0, 0.11),
+            limits=[(0.01, 0.12)],
             grasper_size=0,
             radius=0.02,
             color=look.FINISHES["dark"],

@@ -24,7 +24,7 @@ FINISHES = {"paint": None, "dark": "#33383f", "steel": "#b4bcc6"}
 
 ARM_LENGTHS = {"height": 0.495, "shoulder": 0.175, "upper": 0.9, "elbow": 0.175, "fore": 0.96}
 FLANGE = 0.135
-GRIP = 0.2
+GRIP = 0.23
 
 ALONG_Y = rp2t(rotx(-np.pi / 2), (0, 0, 0))
 ALONG_X = rp2t(roty(np.pi / 2), (0, 0, 0))
@@ -143,21 +143,21 @@ def flange() -> Bodies:
 @cache
 def gripper_body() -> Bodies:
     """Adapter, housing and rail of a parallel gripper whose jaws slide along y."""
-    adapter = srevolution([(0, 0), (0.055, 0), (0.055, 0.015), (0.04, 0.03), (0, 0.03)])
-    housing = _at(slab(rectangle(0.1, 0.26, 0.02), 0, 0.07, 0.01), (0, 0, 0.025))
-    rail = _at(cuboid(0.04, 0.27, 0.012), (0, 0, 0.092))
+    adapter = srevolution([(0, 0), (0.055, 0), (0.055, 0.015), (0.045, 0.03), (0, 0.03)])
+    housing = _at(slab(rectangle(0.12, 0.32, 0.025), 0, 0.08, 0.012), (0, 0, 0.025))
+    rail = _at(cuboid(0.05, 0.33, 0.012), (0, 0, 0.102))
     return {"dark": housing, "steel": adapter.merged(rail)}
 
 
 @cache
 def jaw(side: str) -> Bodies:
     """One jaw in its joint frame, z to the outside: its pad lies in z = 0."""
-    slide = _at(cuboid(0.07, 0.03, 0.05), (0, -0.01, 0.002))
-    finger = [(0.012, 0), (0.012, 0.15), (0.018, 0.158), (0.03, 0.05), (0.045, 0.02), (0.045, 0)]
-    blade = prism([(z, -y) for z, y in finger], 0.05).transformed(
-        rp2t(np.column_stack([(0, 0, 1), (0, 1, 0), (-1, 0, 0)]), (0.025, 0, 0))
+    slide = _at(cuboid(0.08, 0.04, 0.055), (0, -0.012, 0.002))
+    finger = [(0.012, 0), (0.012, 0.168), (0.02, 0.178), (0.034, 0.06), (0.05, 0.03), (0.05, 0)]
+    blade = prism([(z, -y) for z, y in finger], 0.06).transformed(
+        rp2t(np.column_stack([(0, 0, 1), (0, 1, 0), (-1, 0, 0)]), (0.03, 0, 0))
     )
-    pad = _at(cuboid(0.044, 0.09, 0.012), (0, -0.108, 0))
+    pad = _at(cuboid(0.054, 0.09, 0.012), (0, -0.12, 0))
     to_the_tip = rp2t(rotz(0 if side == "left" else np.pi), (0, 0, 0))
     steel = slide.merged(blade).transformed(to_the_tip)
     return {"steel": steel, "dark": pad.transformed(to_the_tip)}

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 import dhlab.shapes as shapes
 from dhlab.kinematics.chain import Chain
-from dhlab.kinematics.transforms import inverse, transl
+from dhlab.kinematics.transforms import inverse, rotx, rp2t, transl
 from dhlab.scene.frame_look import frame_nodes
 from dhlab.scene.node import Color, Node, Style
 from dhlab.scene.palette import INK, METAL
@@ -184,7 +184,17 @@ def _pedestal(look: Appearance) -> Mesh:
     if np.linalg.norm(look.chain.constants[0][0][:3, 3]) > 1e-9 or look.chain.joints[0] != "r":
         return foot
     neck = shapes.cylinder(0.9 * r, 0.6 * r)
-    return _at(foot, (0, 0, -1.9 * r)).merged(_at(neck, (0, 0, -1.45 * r)))
+    below = _at(foot, (0, 0, -1.9 * r)).merged(_at(neck, (0, 0, -1.45 * r)))
+    return below.transformed(rp2t(rotx(np.pi), (0, 0, 0))) if _hangs(look) else below
+
+
+def _hangs(look: Appearance) -> bool:
+    """Whether the robot at home goes down where a foot below its first joint would stand."""
+    home = look.chain.frames(look.chain.home)
+    origins = (inverse(look.chain.base) @ home)[:, :3, 3]
+    way = np.linspace(origins[:-1], origins[1:], 9).reshape(-1, 3)
+    beside = np.hypot(way[:, 0], way[:, 1]) > 2 * look.radius
+    return bool((~beside & (way[:, 2] < -look.radius)).any())
 
 
 def _grasper(look: Appearance) -> dict[str, Node]:

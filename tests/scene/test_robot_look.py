@@ -97,3 +97,10 @@ def test_a_gripper_opens_as_far_as_it_is_told_and_goes_when_something_is_attache
 
 def test_grasper_size_0_is_a_fingertip():
     assert "index/1/2/3/4/grasper/tip" in models.finger().describe()
+
+
+@pytest.mark.parametrize(("model", "side"), [("arm", 1), ("finger", -1), ("puma", -1)])
+def test_the_foot_stands_below_the_first_joint_and_above_it_where_the_robot_hangs(model, side):
+    made = getattr(models, model)()
+    foot = made.describe()[f"{made.name}/base"].shape
+    assert (side * foot.vertices[:, 2] > 0).all()

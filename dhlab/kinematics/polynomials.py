@@ -59,7 +59,7 @@ def parabolas(h: Floats, q0: Floats, a: Floats) -> Floats:
     """Pieces of constant acceleration, one behind the other, from rest at `q0`, shape (n,)."""
     v = np.cumsum(a * h, axis=0) - a * h
     step = v * h + a * h**2 / 2
-    q = q0 + np.cumsum(step, axis=0) - step
+    q = q0 + (np.cumsum(step, axis=0) - step)
     return np.stack([a / 2, v, q], axis=-2)
 
 

@@ -45,7 +45,9 @@ def as_each_joint(
     """One number for all joints or one for each, shape (n,)."""
     a = as_array(value, (...,), what)
     if a.shape not in {(), (n,)}:
-        raise InputError(f"{what} must be one number or one for each of {n} joints, got {a.shape}")
+        raise InputError(
+            f"{what} must be one number or one for each of {n} joints, got shape {a.shape}"
+        )
     if positive and (a <= 0).any():
         raise InputError(f"{what} must be above 0, got {a.tolist()}")
     return np.full(n, a)

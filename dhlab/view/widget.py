@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable
 from typing import Any
+from uuid import uuid4
 
 import anywidget
 import traitlets
@@ -49,6 +50,7 @@ class SceneWidget(anywidget.AnyWidget):
     scene = traitlets.Bytes(read_only=True).tag(sync=True)
     library = traitlets.Instance(Library).tag(sync=True, **widget_serialization)
     library_digest = traitlets.Unicode().tag(sync=True)
+    own_id = traitlets.Unicode().tag(sync=True)
     name = traitlets.Unicode().tag(sync=True)
     height = traitlets.Int(480).tag(sync=True)
     background = traitlets.Unicode("light").tag(sync=True)
@@ -58,7 +60,14 @@ class SceneWidget(anywidget.AnyWidget):
     def __init__(self, wire: Wire, library: Library, **options: Any) -> None:
         self._wire = wire
         self._is_new = True
-        super().__init__(library=library, library_digest=assets.digest(), **options)
+        own_id = uuid4().hex
+        super().__init__(
+            model_id=own_id,
+            own_id=own_id,
+            library=library,
+            library_digest=assets.digest(),
+            **options,
+        )
         self._is_new = False
         self.layout.width = "100%"
         self.on_msg(self._answer)
@@ -80,7 +89,9 @@ class SceneWidget(anywidget.AnyWidget):
 
     def _answer(self, widget: Any, content: Any, buffers: Any) -> None:
         if isinstance(content, dict) and content.get("ask") == "scene":
-            self.send_state("scene")
+            with CHANGES:
+                if content.get("have") != self._wire.sequence:
+                    self.send_state("scene")
 
 
 class WidgetBackend:

@@ -5,6 +5,7 @@ has them, pixels, buttons. A view is found through the page's own object,
 ``globalThis[Symbol.for("dhlab.page")].views`` (see ``dhlab/view/static/page.js``).
 """
 
+import base64
 import json
 import urllib.request
 from dataclasses import dataclass
@@ -52,16 +53,6 @@ ADD_CELL = """(source) => {
   const index = model.cells.length;
   model.sharedModel.insertCell(index, { cell_type: "code", source, metadata: {} });
   return index;
-}"""
-
-STATES = """(stage) => {
-  stage.render();
-  const { canvas } = stage;
-  const flat = document.createElement("canvas");
-  flat.width = canvas.width;
-  flat.height = canvas.height;
-  flat.getContext("2d").drawImage(canvas, 0, 0);
-  return flat.toDataURL("image/png");
 }"""
 
 
@@ -193,14 +184,9 @@ class Shown:
 
     def pixels(self) -> NDArray[np.uint8]:
         """The picture as it is drawn now, without bars, shape (height, width, 3)."""
-        url = self.evaluate(f"({STATES})(stage)")
-        header, _, data = str(url).partition(",")
-        if header != "data:image/png;base64":
-            raise AssertionError(header)
-        import base64
-
-        picture = Image.open(BytesIO(base64.b64decode(data))).convert("RGB")
-        return np.asarray(picture)
+        url = str(self.evaluate("stage.picture().toDataURL('image/png')"))
+        png = base64.b64decode(url.removeprefix("data:image/png;base64,"))
+        return np.asarray(Image.open(BytesIO(png)).convert("RGB"))
 
     def click(self, action: str) -> None:
         """Press a button of the toolbar or of the player."""

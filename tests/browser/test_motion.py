@@ -134,7 +134,7 @@ def test_a_trace_grows_with_the_motion(notebook, shown):
     trace = "[...view.scene.nodes.values()].find(n => n.shape?.kind === 'lines' && n.curve)"
     shown.wait_until(f"{trace} && {PLAYERS}.length === 1")
     shown.evaluate(f"({PLAYERS}[0].pause(), {PLAYERS}[0].seek(0))")
-    count = f"stage.tree.group({trace}.path).children[0].geometry.instanceCount"
+    count = f"stage.tree.group({trace}.path).children[0].geometry.drawRange.count / 6"
     assert shown.evaluate(count) == 0
     shown.evaluate(f"{PLAYERS}[0].seek(0.75)")
     assert 10 < shown.evaluate(count) < 20

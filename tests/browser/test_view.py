@@ -263,6 +263,27 @@ def test_a_closed_view_gives_its_graphics_memory_back(notebook, shown):
     )
 
 
+def test_a_view_follows_though_anywidget_has_given_up_waiting_for_it(notebook, shown):
+    notebook.evaluate(
+        """() => {
+            globalThis.patient = AbortSignal.timeout;
+            AbortSignal.timeout = () => {
+                const controller = new AbortController();
+                queueMicrotask(() => controller.abort());
+                return controller.signal;
+            };
+        }"""
+    )
+    notebook.messages.clear()
+    notebook.run("late = View('late', height=100).add(box)\nlate")
+    late = notebook.view("late")
+    notebook.evaluate("() => { AbortSignal.timeout = globalThis.patient; }")
+    assert any("Failed to initialize model" in text for text in notebook.messages)
+    notebook.execute("box.move((0.4, 0, 0)); late.flush()")
+    late.wait_until("Math.abs(view.pose('box')[3] - 0.4) < 1e-6")
+    notebook.execute("late.close()")
+
+
 def test_a_cell_run_thirty_times_keeps_one_view(notebook, shown):
     index = notebook.evaluate("() => jupyterapp.shell.currentWidget.content.model.cells.length")
     scenes = "sum(type(w).__name__ == 'SceneWidget' for w in " + WIDGETS + ")"

@@ -86,7 +86,7 @@ def comms(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[FakeComm]]:
     opened: list[FakeComm] = []
 
     def create(**options: Any) -> FakeComm:
-        opened.append(FakeComm(f"comm-{next(NUMBERS)}", options))
+        opened.append(FakeComm(options.get("comm_id", f"comm-{next(NUMBERS)}"), options))
         return opened[-1]
 
     monkeypatch.setattr("ipywidgets.comm.create_comm", create)

@@ -83,6 +83,17 @@ def test_whoever_asks_gets_the_scene_as_it_is_then(comms, box):
     assert header["seq"] == 1
 
 
+def test_a_page_that_has_the_present_scene_gets_no_other(comms, box):
+    view, comm = open_view(comms, box)
+    comm.receive({"ask": "scene", "have": 0})
+    assert comm.sent == []
+    box.shift(1)
+    view.flush()
+    comm.sent.clear()
+    comm.receive({"ask": "scene", "have": 0})
+    assert len(comm.sent) == 1
+
+
 @pytest.mark.parametrize("key", [None, "scene", ["name", "scene"]])
 @pytest.mark.parametrize("drop_defaults", [True, False])
 def test_every_state_carries_the_scene(comms, box, key, drop_defaults):

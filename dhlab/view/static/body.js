@@ -1,9 +1,8 @@
 /** What one node draws: a mesh with its feature edges, lines, or a label. */
+import { createClay } from "./clay.js";
 import { createLabel } from "./label.js";
-import { createLineMaterial, createSegments } from "./lines.js";
+import { createLineMaterial, createSegments, showSegments } from "./lines.js";
 import { THREE } from "./meshcat.js";
-
-const MATTE = { specular: 0x171717, shininess: 26 };
 
 /**
  * The body of `node`, made of what the `workshop` of a view has: its pools of geometries and
@@ -45,7 +44,7 @@ class MeshBody {
     const { materials, resolution } = this.#workshop;
     const before = { ...this.#keys };
     this.#keys.face = `face ${color} ${opacity}`;
-    this.faces.material = materials.take(this.#keys.face, () => createFace(color, opacity));
+    this.faces.material = materials.take(this.#keys.face, () => createClay(color, opacity));
     this.faces.renderOrder = opacity < 1 ? 1 : 0;
     this.faces.castShadow = opacity > 0.3;
     if (this.edges) {
@@ -71,11 +70,9 @@ class MeshBody {
 class LinesBody {
   #workshop;
   #key;
-  #material = null;
 
   constructor({ shape, style }, workshop) {
     this.#workshop = workshop;
-    this.total = shape.segments.length / 6;
     this.object = new THREE.Mesh(createSegments(shape.segments));
     this.object.matrixAutoUpdate = false;
     this.paint(style);
@@ -92,7 +89,7 @@ class LinesBody {
 
   /** Show the first `count` segments only: a trace that grows. */
   show(count) {
-    this.object.geometry.instanceCount = Math.min(Math.max(count, 0), this.total);
+    showSegments(this.object.geometry, count);
   }
 
   dispose() {
@@ -147,20 +144,6 @@ function createFaces({ positions, normals, indices }) {
   geometry.computeBoundingBox();
   geometry.computeBoundingSphere();
   return geometry;
-}
-
-function createFace(color, opacity) {
-  return new THREE.MeshPhongMaterial({
-    ...MATTE,
-    color: new THREE.Color(...color).convertSRGBToLinear(),
-    opacity,
-    transparent: opacity < 1,
-    depthWrite: opacity >= 1,
-    side: THREE.DoubleSide,
-    polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 1,
-  });
 }
 
 function darker(color) {

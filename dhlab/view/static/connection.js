@@ -14,14 +14,15 @@ export class Connection {
   #model;
   #asked = 0;
   #complained = false;
-  #reload = () => this.#load(false);
+  #reload = () => this.#load();
 
   constructor(model) {
     this.#model = model;
     this.name = model.get("name");
     this.scene = new Scene();
     this.stages = [];
-    this.#load(true);
+    this.#load();
+    this.#model.send({ ask: "scene", have: this.scene.sequence });
     model.on("change:scene", this.#reload);
     sharedPage().views.push(this);
   }
@@ -66,12 +67,12 @@ export class Connection {
     views.splice(views.indexOf(this), 1);
   }
 
-  #load(first) {
+  #load() {
     this.#asked = 0;
     this.#attempt(() => {
       const [header, buffer] = splitSnapshot(this.#model.get("scene"));
       if (header.seq !== this.scene.sequence) this.scene.apply(decode(header, buffer), false);
-    }, first);
+    });
   }
 
   /** A bad message leaves the picture as it is. */

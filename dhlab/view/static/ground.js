@@ -60,10 +60,10 @@ export class Ground {
     this.step = 1;
     this.level = 0;
     this.radius = 5;
-    const plane = new THREE.PlaneGeometry(1, 1);
-    this.grid = new THREE.Mesh(plane, createGridMaterial());
+    const square = new THREE.PlaneGeometry(1, 1);
+    this.grid = new THREE.Mesh(square, createGridMaterial());
     this.grid.renderOrder = -2;
-    this.shadow = new THREE.Mesh(plane, new THREE.ShadowMaterial({ depthWrite: false }));
+    this.shadow = new THREE.Mesh(square, new THREE.ShadowMaterial({ depthWrite: false }));
     this.shadow.receiveShadow = true;
     this.shadow.renderOrder = -1;
     this.object = new THREE.Group();
@@ -82,8 +82,14 @@ export class Ground {
     uniforms.grid.value = this.step;
     uniforms.radius.value = this.radius;
     uniforms.center.value.set(center.x, center.y);
-    this.object.position.set(center.x, center.y, this.level);
-    this.object.scale.set(2 * this.radius, 2 * this.radius, 1);
+    this.grid.position.set(center.x, center.y, this.level);
+    this.grid.scale.set(2 * this.radius, 2 * this.radius, 1);
+  }
+
+  /** Show shadows in a square around a point: no larger than need be, they are dear. */
+  catchShadows({ x, y }, size) {
+    this.shadow.position.set(x, y, this.level);
+    this.shadow.scale.set(size, size, 1);
   }
 
   /** What a person should know of the grid: `grid 0.1 m`, and where it lies if not at z = 0. */

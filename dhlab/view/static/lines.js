@@ -53,21 +53,41 @@ void main() {
   #include <encodings_fragment>
 }`;
 
-const CORNERS = new Float32Array([-1, -1, 1, -1, 1, 1, -1, 1]);
+const CORNERS = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
+const QUAD = [0, 1, 2, 0, 2, 3];
+const STRIDE = 8;
 
-/** Segments given by their ends, six numbers each. */
+/**
+ * Segments given by their ends, six numbers each, as four corners each: drawing one quad in many
+ * places would take less memory, but much longer without a graphics card.
+ */
 export function createSegments(segments) {
-  const geometry = new THREE.InstancedBufferGeometry();
-  const ends = new THREE.InstancedInterleavedBuffer(segments, 6, 1);
-  geometry.setIndex([0, 1, 2, 0, 2, 3]);
-  geometry.setAttribute("corner", new THREE.BufferAttribute(CORNERS, 2));
-  geometry.setAttribute("start", new THREE.InterleavedBufferAttribute(ends, 3, 0));
-  geometry.setAttribute("end", new THREE.InterleavedBufferAttribute(ends, 3, 3));
-  geometry.instanceCount = segments.length / 6;
+  const count = segments.length / 6;
+  const corners = new Float32Array(4 * STRIDE * count);
+  const indices = new Uint32Array(6 * count);
+  for (let i = 0; i < count; i++) {
+    const ends = segments.subarray(6 * i, 6 * i + 6);
+    CORNERS.forEach((corner, j) => {
+      corners.set(ends, STRIDE * (4 * i + j));
+      corners.set(corner, STRIDE * (4 * i + j) + 6);
+    });
+    indices.set(QUAD.map((corner) => 4 * i + corner), 6 * i);
+  }
+  const geometry = new THREE.BufferGeometry();
+  const buffer = new THREE.InterleavedBuffer(corners, STRIDE);
+  geometry.setIndex(new THREE.BufferAttribute(indices, 1));
+  geometry.setAttribute("start", new THREE.InterleavedBufferAttribute(buffer, 3, 0));
+  geometry.setAttribute("end", new THREE.InterleavedBufferAttribute(buffer, 3, 3));
+  geometry.setAttribute("corner", new THREE.InterleavedBufferAttribute(buffer, 2, 6));
   const points = new THREE.BufferAttribute(segments, 3);
   geometry.boundingBox = new THREE.Box3().setFromBufferAttribute(points);
   geometry.boundingSphere = geometry.boundingBox.getBoundingSphere(new THREE.Sphere());
   return geometry;
+}
+
+/** Show the first `count` segments only. */
+export function showSegments(geometry, count) {
+  geometry.setDrawRange(0, 6 * Math.min(Math.max(count, 0), geometry.index.count / 6));
 }
 
 /** `resolution` is shared by all lines of a view: the size of its canvas in CSS pixels. */

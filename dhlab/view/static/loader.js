@@ -2,6 +2,7 @@
  * The module that each view's widget carries: it fetches the viewer, which lies once per page in
  * a widget of its own, and hands it the widget's messages.
  */
+import { keepListening } from "./listening.js";
 import { sharedPage } from "./page.js";
 
 const PATIENCE = 240;
@@ -44,6 +45,7 @@ function openSession(model) {
     if (waiting.push(message) > PATIENCE) waiting = [];
   };
   model.on("msg:custom", (content, buffers) => deliver([content, buffers]));
+  keepListening(model).catch(() => {}); // a page without a kernel has nothing to hear
   const ready = library(model).then(({ Connection }) => {
     const connection = new Connection(model);
     deliver = ([content, buffers]) => connection.receive(content, buffers);

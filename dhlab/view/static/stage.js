@@ -6,7 +6,7 @@ import { Camera, DIRECTIONS } from "./camera.js";
 import { createMeshcat, THREE } from "./meshcat.js";
 import { PlayerBar } from "./playerbar.js";
 import { STYLE } from "./style.js";
-import { Surroundings, contrastOf } from "./surroundings.js";
+import { Surroundings, contrastOf, paintBackground, paintOf } from "./surroundings.js";
 import { actionOfKey, createToolbar } from "./toolbar.js";
 import { Tree } from "./tree.js";
 
@@ -104,6 +104,17 @@ export class Stage {
     this.viewer.render();
   }
 
+  /** The present picture, background included, without the bars: a canvas to keep. */
+  picture() {
+    const { width, height } = this.canvas;
+    const kept = Object.assign(document.createElement("canvas"), { width, height });
+    const context = kept.getContext("2d");
+    paintBackground(context, this.background, width, height);
+    this.render();
+    context.drawImage(this.canvas, 0, 0);
+    return kept;
+  }
+
   act(name) {
     if (name === "fit") this.look(undefined);
     else if (name === "full") this.#toggleFullScreen();
@@ -124,6 +135,7 @@ export class Stage {
   setBackground(background) {
     this.background = background;
     this.element.dataset.background = background;
+    this.pane.style.background = paintOf(background);
     this.surroundings.setBackground(background);
     this.tree.setContrast(contrastOf(background));
     this.draw();

@@ -149,18 +149,23 @@ def as_kinds(joints: Iterable[str], n: int) -> tuple[JointKind, ...]:
     ...
     dhlab.errors.InputError: joint 2: no joint type 'x'; use 'r' or 'p'
     """
+    if not isinstance(joints, Iterable):
+        raise InputError(f"joints must be letters 'r' or 'p', one per joint, got {joints!r}")
     letters: dict[str, JointKind] = {"r": "r", "p": "p", "d": "p"}
-    joints = list(joints)
-    for i, letter in enumerate(joints, start=1):
-        if letter not in letters:
-            raise InputError(f"joint {i}: no joint type {letter!r}; use 'r' or 'p'")
-    if len(joints) != n:
-        raise InputError(f"a table of {n} rows needs {n} joint letters, got {len(joints)}")
-    return tuple(letters[letter] for letter in joints)
+    kinds: list[JointKind] = []
+    for letter in joints:
+        if not isinstance(letter, str) or letter not in letters:
+            raise InputError(f"joint {len(kinds) + 1}: no joint type {letter!r}; use 'r' or 'p'")
+        kinds.append(letters[letter])
+    if len(kinds) != n:
+        raise InputError(f"a table of {n} rows needs {n} joint letters, got {len(kinds)}")
+    return tuple(kinds)
 
 
 def as_rows(rows: Iterable[ArrayLike]) -> tuple[DHRow, ...]:
     """Rows of a table, from rows made by `dh` or from 4 numbers each."""
+    if not isinstance(rows, Iterable):
+        raise InputError(f"a table must be rows of alpha, a, d, theta, got {rows!r}")
     table = []
     for i, row in enumerate(rows, start=1):
         numbers = as_array(row, (4,), f"row {i} of the table (alpha, a, d, theta)").tolist()

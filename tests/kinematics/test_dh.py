@@ -129,6 +129,13 @@ def test_a_row_is_four_floats():
         ),
         (lambda: as_kinds("rx", 2), "joint 2: no joint type 'x'; use 'r' or 'p'"),
         (lambda: as_kinds(["r", "rp"], 2), "joint 2: no joint type 'rp'; use 'r' or 'p'"),
+        (lambda: as_kinds(["r", ["p"]], 2), "joint 2: no joint type ['p']; use 'r' or 'p'"),
+        (lambda: as_kinds(3, 3), "joints must be letters 'r' or 'p', one per joint, got 3"),
+        (lambda: as_rows(3), "a table must be rows of alpha, a, d, theta, got 3"),
+        (
+            lambda: as_rows(["ab"]),
+            "row 1 of the table (alpha, a, d, theta) must be made of numbers, got 'ab'",
+        ),
         (lambda: as_kinds("rr", 3), "a table of 3 rows needs 3 joint letters, got 2"),
         (
             lambda: as_rows([(0, 0, 0, 0), (0, 1)]),

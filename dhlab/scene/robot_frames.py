@@ -40,12 +40,12 @@ def path_of(robot: Robot) -> str:
 def frames_of(robot: Robot, q: ArrayLike | None) -> dict[str, NDArray[np.float64]]:
     """Return the frames of a robot in the world, by names from the mechanism's root."""
     top = robot.top
+    if robot is top:
+        return top.mechanism.frames(top.q if q is None else q)
     if q is not None:
         what = f"q of '{robot.name}'"
         single = np.asarray(q).ndim != 2
         q = as_config(q, robot.n, what) if single else as_configs(q, robot.n, what)
-    if robot is top:
-        return top.mechanism.frames(top.q if q is None else q)
     whole = top.q
     if q is not None:
         whole = np.array(np.broadcast_to(top.q, (*q.shape[:-1], top.n)))

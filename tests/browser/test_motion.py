@@ -80,6 +80,19 @@ def test_blocks_go_straight_and_turn_evenly(notebook, shown):
     shown.wait_until(f"{PLAYERS}.length === 0")
 
 
+def test_the_camera_sees_the_whole_motion_from_its_start(notebook, shown):
+    notebook.execute(
+        "far = cube(0.1, name='far'); main.add(far)\n"
+        "animate([0, 10, 20], {far: lambda t: (0, 0.4 * t * (20 - t) / 10, 0)}); main.flush()"
+    )
+    shown.wait_until(f"view.scene.paths.has('far') && {PLAYERS}.length === 1")
+    shown.evaluate(f"{PLAYERS}[0].seek(0)")
+    shown.wait_until("stage.settled")
+    assert shown.evaluate(f"stage.camera.sees([new {PAGE}.meshcat.THREE.Vector3(0, 4, 0)])")
+    assert shown.pose("far")[1, 3] < 2
+    notebook.execute("main.remove(far); far.move((0, 0, 0)); main.flush()")
+
+
 def test_the_bar_plays_pauses_steps_repeats_and_scrubs(notebook, shown):
     notebook.execute("animate(t, {arm: move}); main.flush()")
     shown.wait_until(f"{PLAYERS}.length === 1 && {PLAYERS}[0].time > 0.1")

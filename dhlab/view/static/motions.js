@@ -3,6 +3,9 @@ import { numberAt, locate, poseAt } from "./motion.js";
 import { playerOf } from "./player.js";
 import { sharedPage } from "./page.js";
 
+/** At how many instants a motion is looked at to see how far it goes. */
+const SURVEY = 12;
+
 export class Motions {
   #scene;
   #clocks = new Map();
@@ -61,6 +64,25 @@ export class Motions {
     else this.#show(taken);
   }
 
+  /**
+   * Call `look(nodes)` with each motion at a few instants, from first to last: `nodes` are those
+   * that stand elsewhere than at the call before. Afterwards all is as it was.
+   */
+  survey(look) {
+    for (const { player, nodes } of this.#clocks.values()) {
+      const bound = nodes.filter((node) => node.released !== player.takes);
+      const present = bound.map((node) => ({ ...node.shown }));
+      for (let k = 0; k <= SURVEY; k++) {
+        const time = player.start + (k / SURVEY) * (player.end - player.start);
+        const where = locate(player.times, time);
+        for (const node of bound) showAt(node, where);
+        look(bound);
+      }
+      bound.forEach((node, i) => Object.assign(node.shown, present[i]));
+      look(bound);
+    }
+  }
+
   close() {
     for (const { leave } of this.#clocks.values()) leave();
     this.#clocks.clear();
@@ -89,12 +111,8 @@ export class Motions {
     for (const node of nodes) {
       if (node.released === player.takes) continue;
       node.moving = true;
-      if (node.curve.width === 12) node.shown.pose = poseAt(node.curve.samples, where);
-      else if (!node.joint) node.shown.count = Math.floor(numberAt(node.curve.samples, where));
-      else {
-        node.shown.value = numberAt(node.curve.samples, where);
-        joints.set(node.joint.key, node.shown.value);
-      }
+      showAt(node, where);
+      if (node.joint) joints.set(node.joint.key, node.shown.value);
       this.#scene.tell("moved", node);
     }
     if (playing) {
@@ -102,4 +120,11 @@ export class Motions {
       this.#scene.tell("changed");
     }
   }
+}
+
+/** Give a node the state that its curve has there: a pose, a joint's variable, a trace's length. */
+function showAt({ joint, curve, shown }, where) {
+  if (curve.width === 12) shown.pose = poseAt(curve.samples, where);
+  else if (joint) shown.value = numberAt(curve.samples, where);
+  else shown.count = Math.floor(numberAt(curve.samples, where));
 }

@@ -55,6 +55,11 @@ export class Scene {
     return this.#motions.players;
   }
 
+  /** Call `look(nodes)` with the planned motions at a few instants; then all is as it was. */
+  survey(look) {
+    this.#motions.survey(look);
+  }
+
   tell(event, ...about) {
     for (const observer of this.observers) observer[event](...about);
   }

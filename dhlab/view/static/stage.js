@@ -72,6 +72,7 @@ export class Stage {
 
   playersChanged() {
     this.playerBar.follow(this.scene.players.at(-1) ?? null);
+    this.#stale.bounds ||= "grown";
   }
 
   /** The scene has changed by one batch or one instant. */
@@ -228,7 +229,7 @@ export class Stage {
     const { bounds, moved } = this.#stale;
     if (!bounds && !moved) return;
     Object.assign(this.#stale, { bounds: false, moved: false });
-    this.#points = this.tree.corners();
+    this.#points = bounds ? this.#reach() : this.tree.corners();
     this.#box.setFromPoints(this.#points);
     const below = this.#box.min.z < this.surroundings.ground.level - 0.02 * this.surroundings.ground.radius;
     if (bounds || below) this.#suit();
@@ -236,6 +237,16 @@ export class Stage {
       this.camera.fit(this.#fitPoints(), this.camera.direction, this.#framed);
     }
     if (bounds) this.#framed = this.#points.length > 0;
+  }
+
+  /** Corners of all that is in the scene, now and along its planned motions. */
+  #reach() {
+    const points = this.tree.corners();
+    this.scene.survey((nodes) => {
+      for (const node of nodes) this.tree.moved(node);
+      points.push(...this.tree.corners());
+    });
+    return points;
   }
 
   #suit() {

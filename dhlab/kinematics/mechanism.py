@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from dhlab.arrays import as_array
+from dhlab.arrays import as_array, read_only
 from dhlab.errors import InputError
 from dhlab.kinematics.chain import Chain
 from dhlab.kinematics.dh import joint_motion
@@ -109,6 +109,30 @@ class Mechanism:
             return {}
         T = self._plan.one(q) if q.ndim == 1 else self._plan.many(q)
         return dict(zip(self.names, T, strict=True))
+
+    def check(self, q: ArrayLike) -> NDArray[np.float64]:
+        """Configurations within the limits; a value just outside is put on its limit.
+
+        Parameters
+        ----------
+        q : array_like, shape (..., n) [rad or m]
+
+        Raises
+        ------
+        LimitError
+            For the first variable of the first chain that is further outside.
+        """
+        q = as_array(q, (..., self.n), f"q of '{self.branches[0].name}'")
+        lower, upper = self._limits
+        if np.count_nonzero((lower <= q) & (q <= upper)) == q.size:
+            return q
+        names = (branch.name.rpartition("/")[2] for branch in self.branches)
+        parts = zip(self.branches, self.slices, names, strict=True)
+        return read_only(np.concatenate([b.chain.check(q[..., s], n) for b, s, n in parts], -1))
+
+    @cached_property
+    def _limits(self) -> NDArray[np.float64]:
+        return np.concatenate([branch.chain.limits for branch in self.branches]).T.copy()
 
     @cached_property
     def _tree(self) -> tuple[Frame, ...]:

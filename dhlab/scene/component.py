@@ -198,7 +198,10 @@ class Component:
         """
         with CHANGES:
             self.store(self.check(values))
-            self._robot._changed()
+            if values.keys() == {"q"}:
+                self._robot._moved()
+            else:
+                self._robot._changed()
         return self
 
     def set_part(
@@ -259,7 +262,6 @@ class Component:
             setattr(self, f"_{key}", value)
         if "chain" in checked:
             self._joints = joints_of(self._chain, self.keys)
-            self._robot._forget_mechanism()
         if "chain" in checked or "q" in checked:
             self._curves = None
 

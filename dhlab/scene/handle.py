@@ -39,7 +39,7 @@ class Handle:
         Unique among its siblings; where it is not given the parent makes one up.
     """
 
-    __slots__ = ("__weakref__", "_marks", "_name", "_observers", "_parent", "_visible")
+    __slots__ = ("__weakref__", "_carried", "_marks", "_name", "_observers", "_parent", "_visible")
 
     kind: ClassVar[str] = "handle"
 
@@ -49,6 +49,7 @@ class Handle:
         self._name = None if name is None else as_name(name, f"name of a {self.kind}")
         self._observers: weakref.WeakSet[Observer] | None = None
         self._parent: Handle | None = None
+        self._carried: tuple[Handle, ...] | None = None
         self._marks: dict[str, Node] = {}
         self._visible = True
 
@@ -113,11 +114,11 @@ class Handle:
         """Pose in the world of the frame that a child of this handle stands in, shape (4, 4)."""
         raise NotImplementedError
 
-    def walk(self) -> Iterator[Handle]:
-        """Go through this handle and all that it carries, parents first."""
-        yield self
-        for child in self.children():
-            yield from child.walk()
+    def walk(self) -> tuple[Handle, ...]:
+        """Return this handle and all that it carries, parents first."""
+        if self._carried is None:
+            self._carried = tuple(other for child in self.children() for other in child.walk())
+        return (self, *self._carried)
 
     def watch(self, observer: Observer) -> None:
         """Tell `observer` of every change from now on; it is held weakly."""
@@ -180,8 +181,18 @@ class Handle:
         for key, value in checked.items():
             setattr(self, f"_{key}", value)
 
+    def _forget(self) -> None:
+        """Forget what was worked out from the state before a change; the lock is held."""
+        self._carried = None
+
     def _changed(self) -> None:
         """Tell everybody who watches anything in this tree; the lock is held."""
+        for handle in self.root.walk():
+            handle._forget()
+        self._moved()
+
+    def _moved(self) -> None:
+        """Tell everybody of a change that only moves joints; the lock is held."""
         for handle in self.root.walk():
             if handle._observers:
                 for observer in tuple(handle._observers):
@@ -200,6 +211,8 @@ class Handle:
                 child._name = unused_name(child.kind, taken)
                 taken.add(child._name)
             child._parent = self
+        for handle in self.ancestors():
+            handle._carried = None
 
     def _check_free(self, *children: Handle) -> None:
         """Refuse handles that hang somewhere already, or that carry this one."""

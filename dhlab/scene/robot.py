@@ -20,7 +20,7 @@ from dhlab.scene.handle import CHANGES, Handle, unused_name
 from dhlab.scene.marks import Trail
 from dhlab.scene.node import IDENTITY, Clock, Node
 from dhlab.scene.robot_frames import branches_of, frame_at, frames_of, trails_of
-from dhlab.scene.robot_nodes import robot_nodes
+from dhlab.scene.robot_nodes import Picture
 from dhlab.scene.robot_settings import Common, Handed, Joined, Own
 from dhlab.scene.robot_text import robot_html, robot_text
 from dhlab.scene.setting import Setting, check_settings, settings_of
@@ -43,7 +43,7 @@ class Robot(Handle):
     in it, each to be set alone.
     """
 
-    __slots__ = ("_attached", "_mechanism", "_model", "_own")
+    __slots__ = ("_attached", "_mechanism", "_model", "_own", "_picture")
 
     kind = "robot"
 
@@ -70,6 +70,7 @@ class Robot(Handle):
         self._own = Component(self, chain)
         self._attached: list[tuple[int, Robot]] = []
         self._mechanism: Mechanism | None = None
+        self._picture: Picture | None = None
         self._model = "plain"
 
     @property
@@ -130,6 +131,8 @@ class Robot(Handle):
             A value that cannot be, or a property that does not exist.
         """
         with CHANGES:
+            if values.keys() == {"q"}:
+                return self._go(values["q"])
             shares, own = self._shares(values)
             checked = check_settings(self, self.name, own)
             plan = [(component, component.check(part)) for component, part in shares.items()]
@@ -137,6 +140,14 @@ class Robot(Handle):
                 component.store(part)
             self._store(checked)
             self._changed()
+        return self
+
+    def _go(self, q: ArrayLike) -> Self:
+        """Take a configuration and nothing else: all its limits are looked at in one go."""
+        q = self.mechanism.check(as_config(q, self.n, f"q of '{self.name}'"))
+        for robot, part in zip(self.robots(), self.mechanism.slices, strict=True):
+            robot.own.store({"q": q[part]})
+        self._moved()
         return self
 
     def _shares(
@@ -229,7 +240,6 @@ class Robot(Handle):
     def _attach(self, frame: int, *robots: Robot) -> None:
         self._adopt(*robots)
         self._attached += [(frame, robot) for robot in robots]
-        self._forget_mechanism()
 
     def _set_part(
         self, component: Component, part: Block | BlockComplex | None, frame: int
@@ -327,13 +337,14 @@ class Robot(Handle):
     def _carrier(self) -> NDArray[np.float64]:
         return IDENTITY if self._parent is None else self._parent.carries_at(self)
 
-    def _forget_mechanism(self) -> None:
-        for handle in self.ancestors():
-            if isinstance(handle, Robot):
-                handle._mechanism = None
+    def _forget(self) -> None:
+        super()._forget()
+        self._mechanism = self._picture = None
 
     def _nodes(self, path: str) -> dict[str, Node]:
-        return robot_nodes(self, path)
+        if self._picture is None or self._picture.path != path:
+            self._picture = Picture(self, path)
+        return self._picture.nodes()
 
     def check_samples(self, samples: ArrayLike, what: str) -> NDArray[np.float64]:
         """Check the configurations of a motion, shape (steps, n), and put them on the limits."""

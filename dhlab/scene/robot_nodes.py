@@ -2,12 +2,51 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import accumulate
 from typing import TYPE_CHECKING
 
 from dhlab.scene.node import Node
 
 if TYPE_CHECKING:
+    from dhlab.scene.component import Component
     from dhlab.scene.robot import Robot
+
+
+class Picture:
+    """The nodes of a robot and of all that is attached to it, until more than a joint changes.
+
+    Parameters
+    ----------
+    robot : Robot
+    path : str
+        Of the robot's first node.
+    """
+
+    def __init__(self, robot: Robot, path: str) -> None:
+        self.path = path
+        self._joints = tuple(joint_paths(robot, path))
+        self._nodes = robot_nodes(robot, path)
+
+    def nodes(self) -> dict[str, Node]:
+        """Return the nodes as the joints are now; those of joints that rest stay the same."""
+        nodes = self._nodes
+        for component, paths in self._joints:
+            values = (component.q + component.chain.offset).tolist()
+            curves = component.curves or component.n * (None,)
+            for path, value, curve in zip(paths, values, curves, strict=True):
+                node = nodes[path]
+                if node.value != value or node.curve is not curve:
+                    nodes[path] = Node(node.pose, node.joint, value, curve=curve)
+        return nodes.copy()
+
+
+def joint_paths(robot: Robot, path: str) -> Iterator[tuple[Component, list[str]]]:
+    """Go through all components and the paths of their joints' nodes."""
+    frames = list(accumulate(range(1, robot.own.n + 1), "{}/{}".format, initial=path))
+    yield robot.own, frames[1:]
+    for at, child in robot.joints_at:
+        yield from joint_paths(child, f"{frames[at]}/{child.name}")
 
 
 def robot_nodes(robot: Robot, path: str) -> dict[str, Node]:

@@ -7,10 +7,14 @@ import shutil
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from dhlab.errors import DhlabError
 
 RECORD = ".dhlab-copies.json"
+
+OWN = ("cell_type", "source", "outputs", "attachments")
+"""What of a notebook's cell its owner changes, by writing and by running."""
 
 
 @dataclass(frozen=True)
@@ -107,7 +111,24 @@ def _is_for_students(path: Path) -> bool:
 
 
 def _digest(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()
+    """Digest of what an owner can change; JupyterLab rewrites the rest on opening a notebook."""
+    content = path.read_bytes()
+    if path.suffix == ".ipynb":
+        try:
+            cells = json.loads(content)["cells"]
+            own = [[_text(cell.get(key)) for key in OWN] for cell in cells]
+        except (ValueError, KeyError, TypeError, AttributeError):
+            pass
+        else:
+            content = json.dumps(own, sort_keys=True).encode()
+    return hashlib.sha256(content).hexdigest()
+
+
+def _text(value: Any) -> Any:
+    """Join the lines of a text, which a notebook keeps as one string or as many."""
+    if isinstance(value, list) and all(isinstance(line, str) for line in value):
+        return "".join(value)
+    return value
 
 
 def _read_record(path: Path) -> dict[str, str]:

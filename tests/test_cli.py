@@ -100,6 +100,27 @@ def test_a_change_taken_back_follows_newer_versions_again(sources, folder):
     assert refresh(folder, sources).updated == ("notebooks/first.ipynb",)
 
 
+def test_a_notebook_that_was_only_opened_follows_a_newer_dhlab(tmp_path, folder):
+    def notebook(*sources, **metadata):
+        cells = [
+            {"cell_type": "code", "source": source, "outputs": [], "metadata": {}}
+            for source in sources
+        ]
+        return json.dumps({"cells": cells, "metadata": metadata})
+
+    source = tmp_path / "first.ipynb"
+    source.write_text(notebook("a = 1", ["b = 2\n", "c = 3"]))
+    copy = folder / "notebooks/first.ipynb"
+    refresh(folder, {"notebooks/first.ipynb": source})
+    copy.write_text(notebook("a = 1", "b = 2\nc = 3", language_info={"version": "3.11"}))
+    source.write_text(notebook("a = 2"))
+    assert refresh(folder, {"notebooks/first.ipynb": source}).updated
+    copy.write_text(notebook("a = 3"))
+    source.write_text(notebook("a = 4"))
+    assert refresh(folder, {"notebooks/first.ipynb": source}).kept
+    assert "a = 3" in copy.read_text()
+
+
 @pytest.mark.parametrize("damage", ["{", "[]"])
 def test_a_damaged_record_is_told_and_nothing_is_touched(sources, folder, damage):
     folder.mkdir()

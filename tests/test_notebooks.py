@@ -63,6 +63,11 @@ def test_a_notebook_is_saved_without_outputs_and_counters(name):
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
+def test_a_notebook_is_saved_without_the_state_of_its_widgets(name):
+    assert "widgets" not in NOTEBOOKS[name]["metadata"]
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
 def test_a_notebook_runs_on_the_kernel_that_everybody_has(name):
     kernel = NOTEBOOKS[name]["metadata"]["kernelspec"]
     assert (kernel["name"], kernel["language"]) == ("python3", "python")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any, TypedDict, Unpack
 
 import numpy as np
@@ -118,7 +117,7 @@ class Block(Placed):
             edge_color=self._edge_color,
             line_width=self._line_width,
         )
-        nodes = {path: replace(self._own_node(), shape=self._shape, style=style)}
+        nodes = {path: self._own_node()._replace(shape=self._shape, style=style)}
         if self._show_csys:
             low, high = self._shape.bounds
             nodes |= frame_nodes(path, 0.75 * float(np.linalg.norm(high - low)), name=self._name)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import threading
 import weakref
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from typing import Any, ClassVar, Protocol, Self
 
 import numpy as np
@@ -150,7 +149,7 @@ class Handle:
         with CHANGES:
             nodes = self._nodes(name)
             if self._parent is not None:
-                nodes[name] = replace(nodes[name], pose=self.world_pose)
+                nodes[name] = nodes[name]._replace(pose=self.world_pose)
             for number, handle in enumerate(self.walk()):
                 whose = f"{name}.{number}" if number else name
                 for path, node in handle._marks.items():

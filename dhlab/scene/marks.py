@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -67,7 +66,7 @@ def ghosts_of(nodes: dict[str, Node], clock: Clock) -> dict[str, Node]:
     marks: dict[str, Node] = {"ghosts": Node()} if len(steps) else {}
     for k in steps:
         for number, (style, shape) in enumerate(_still(nodes, clock, int(k))):
-            pale = replace(style, opacity=GHOST_OPACITY * style.opacity, edges=False)
+            pale = style._replace(opacity=GHOST_OPACITY * style.opacity, edges=False)
             marks[f"ghosts/{k}.{number}"] = Node(shape=shape, style=pale)
     return marks
 
@@ -98,5 +97,5 @@ def _at_instant(node: Node, clock: Clock, k: int) -> Node:
         return node
     sample = node.curve.samples[k]
     if node.joint is not None:
-        return replace(node, value=float(sample))
-    return replace(node, pose=sample)
+        return node._replace(value=float(sample))
+    return node._replace(pose=sample)

@@ -7,8 +7,7 @@ kinematic tree: one joint moved is one number.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Literal, TypeAlias
+from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,8 +22,7 @@ Color: TypeAlias = tuple[float, float, float]
 IDENTITY: NDArray[np.float64] = read_only(np.eye(4))
 
 
-@dataclass(frozen=True, slots=True)
-class Style:
+class Style(NamedTuple):
     """How the shape of a node is painted.
 
     Attributes
@@ -47,8 +45,7 @@ class Style:
     line_width: float = 1.5
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Joint:
+class Joint(NamedTuple):
     """A node that moves: its pose is ``pose @ motion(value) @ after``.
 
     Attributes
@@ -66,8 +63,7 @@ class Joint:
     key: str
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Clock:
+class Clock(NamedTuple):
     """The common time of one planned motion: a key of its own and its instants.
 
     Attributes
@@ -81,8 +77,7 @@ class Clock:
     times: NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Curve:
+class Curve(NamedTuple):
     """Where a node is at each instant of a planned motion.
 
     Attributes
@@ -98,8 +93,7 @@ class Curve:
     samples: NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Node:
+class Node(NamedTuple):
     """One node of the scene.
 
     Attributes
@@ -118,7 +112,7 @@ class Node:
         The planned motion of this node; `pose` and `value` are the state it ends in.
     """
 
-    pose: NDArray[np.float64] = field(default_factory=lambda: IDENTITY)
+    pose: NDArray[np.float64] = IDENTITY
     joint: Joint | None = None
     value: float = 0.0
     shape: Shape | None = None

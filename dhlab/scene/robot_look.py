@@ -7,7 +7,7 @@ frame 0 is the base, 1 to n are the joints, n + 1 is the grasper.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -234,7 +234,7 @@ def _approach(chain: Chain) -> NDArray[np.float64]:
 def stick(look: Appearance) -> dict[int, dict[str, Node]]:
     """Draw the stick look: lines along the links, small joints, small frames."""
     nodes: dict[int, dict[str, Node]] = {i: {} for i in range(look.chain.n + 2)}
-    paint = replace(look.style(), line_width=STICK_WIDTH)
+    paint = look.style()._replace(line_width=STICK_WIDTH)
     for i, path in enumerate(spine(look.chain)):
         if len(path) > 1:
             nodes[i]["link"] = Node(shape=_line(path), style=paint)
@@ -259,7 +259,7 @@ def _add_stick_joint(nodes: dict[int, dict[str, Node]], look: Appearance, i: int
         low, high = slide(look.chain, i)
         if high > low:
             rail = _line(np.array([[0, 0, low], [0, 0, high]]))
-            paint = replace(look.style(INK), line_width=0.5 * STICK_WIDTH)
+            paint = look.style(INK)._replace(line_width=0.5 * STICK_WIDTH)
             nodes[i - 1][f"rail {i}"] = Node(pose=before, shape=rail, style=paint)
     mesh = small.transformed(inverse(after) @ transl((0, 0, -2 * r)))
     nodes[i]["joint"] = Node(shape=mesh, style=look.style())

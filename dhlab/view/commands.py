@@ -1,14 +1,12 @@
 """The four verbs that a picture is changed with, and the difference between two pictures."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
-from typing import Protocol, TypeAlias
+from typing import NamedTuple, Protocol, TypeAlias
 
 from dhlab.scene.node import Node, same_body, same_paint, same_place
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Put:
+class Put(NamedTuple):
     """A node is new, or draws another shape than before; what hangs on it stays.
 
     Attributes
@@ -21,8 +19,7 @@ class Put:
     node: Node
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Place:
+class Place(NamedTuple):
     """A node stands elsewhere, or its planned motion is another one.
 
     Attributes
@@ -36,8 +33,7 @@ class Place:
     node: Node
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Paint:
+class Paint(NamedTuple):
     """A node looks different.
 
     Attributes
@@ -51,8 +47,7 @@ class Paint:
     node: Node
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Remove:
+class Remove(NamedTuple):
     """A node goes, with everything that hangs on it.
 
     Attributes
@@ -115,12 +110,12 @@ def apply(nodes: dict[str, Node], batch: Iterable[Command]) -> None:
     """
     for command in batch:
         match command:
-            case Put(path, node):
-                nodes[path] = node
             case Place(path, node):
                 nodes[path] = _placed(nodes[path], node)
+            case Put(path, node):
+                nodes[path] = node
             case Paint(path, node):
-                nodes[path] = replace(nodes[path], style=node.style, visible=node.visible)
+                nodes[path] = nodes[path]._replace(style=node.style, visible=node.visible)
             case Remove(path):
                 for gone in [p for p in nodes if p == path or p.startswith(f"{path}/")]:
                     del nodes[gone]
@@ -141,7 +136,7 @@ def _placed(node: Node, place: Node) -> Node:
     """Return a node at the place of another, which may be the same but for its place."""
     if node.shape is place.shape and node.joint is place.joint and same_paint(node, place):
         return place
-    return replace(node, pose=place.pose, value=place.value, curve=place.curve)
+    return node._replace(pose=place.pose, value=place.value, curve=place.curve)
 
 
 def _parent(path: str) -> str:

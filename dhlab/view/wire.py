@@ -7,7 +7,7 @@ a joint is one float64 and the uint32 number of its node, a pose twelve float32.
 """
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from functools import cached_property
 from itertools import count
 from typing import Any
@@ -54,19 +54,19 @@ class Wire:
         buffer : bytes
         """
         self.sequence += 1
-        for command in commands:
-            if isinstance(command, Put) and command.path not in self._numbers:
-                self._numbers[command.path] = next(self._unused)
         message = _Message(self.sequence, self._numbers, self.nodes)
-        message.remove(command.path for command in commands if isinstance(command, Remove))
         for command in commands:
             match command:
-                case Put(path, node):
-                    message.put(path, node)
                 case Place(path, node):
                     message.place(path, node)
+                case Put(path, node):
+                    if path not in self._numbers:
+                        self._numbers[path] = next(self._unused)
+                    message.put(path, node)
                 case Paint(path, node):
                     message.paint(path, node)
+                case Remove(path):
+                    message.remove(path)
         header, buffer = message.finish()
         apply(self.nodes, commands)
         if any(isinstance(command, Remove) for command in commands):
@@ -128,9 +128,9 @@ class _Message:
         """Keys of the clocks that the page has."""
         return {node.curve.clock.key for node in self._told.values() if node.curve is not None}
 
-    def remove(self, paths: Iterable[str]) -> None:
-        """Nodes that go."""
-        self._extend("removes", [self._numbers[path] for path in paths])
+    def remove(self, path: str) -> None:
+        """Remove a node and what hangs on it."""
+        self._append("removes", self._numbers[path])
 
     def put(self, path: str, node: Node) -> None:
         """Add a node that is new or draws another shape; geometry the page has is only named."""
@@ -145,7 +145,7 @@ class _Message:
             entry["visible"] = False
         if node.curve is not None:
             entry["curve"] = self._curve(node.curve)
-        self._extend("puts", [entry])
+        self._append("puts", entry)
 
     def place(self, path: str, node: Node) -> None:
         """Move a node: of a joint the value, of any other the pose, and its motion if it is new."""
@@ -156,12 +156,11 @@ class _Message:
             self._poses.append((number, node.pose))
         if before is None or before.curve is not node.curve:
             curve = None if node.curve is None else self._curve(node.curve)
-            self._extend("curves", [(number, curve)])
+            self._append("curves", (number, curve))
 
     def paint(self, path: str, node: Node) -> None:
         """Paint a node."""
-        paint = (self._numbers[path], self._style(node.style), node.visible)
-        self._extend("paints", [paint])
+        self._append("paints", (self._numbers[path], self._style(node.style), node.visible))
 
     def finish(self) -> tuple[Header, bytes]:
         """Header and buffer, what moved packed into two arrays each."""
@@ -223,9 +222,8 @@ class _Message:
     def _style(self, style: Style) -> int:
         return self._styles.setdefault(style, len(self._styles))
 
-    def _extend(self, key: str, entries: list[Any]) -> None:
-        if entries:
-            self._header.setdefault(key, []).extend(entries)
+    def _append(self, key: str, entry: Any) -> None:
+        self._header.setdefault(key, []).append(entry)
 
     def _pack(self, numbers: Any, kind: str) -> int:
         """Append an array to the buffer; return the offset, a multiple of 8, where it begins."""

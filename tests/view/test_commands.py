@@ -1,6 +1,5 @@
 """The difference between two pictures."""
 
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -55,7 +54,7 @@ def test_a_picture_and_the_difference_give_the_other_picture(old, new):
 @settings(derandomize=True, deadline=None)
 @given(trees)
 def test_a_picture_does_not_differ_from_its_copy(tree):
-    copy = {path: replace(node, pose=node.pose.copy()) for path, node in tree.items()}
+    copy = {path: node._replace(pose=node.pose.copy()) for path, node in tree.items()}
     assert diff(tree, copy) == []
 
 

@@ -1,7 +1,6 @@
 """What goes over the wire, read back as a page reads it."""
 
 import json
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -60,7 +59,7 @@ def test_a_body_that_moves_is_twelve_single_precision_numbers():
 
 def test_a_joint_whose_constant_changes_sends_pose_and_value():
     wire = Wire(finger())
-    new = finger() | {"finger/1": replace(finger()["finger/1"], pose=AFTER)}
+    new = finger() | {"finger/1": finger()["finger/1"]._replace(pose=AFTER)}
     header, _ = wire.batch(diff(wire.nodes, new))
     assert (header["joints"]["count"], header["poses"]["count"]) == (1, 1)
 
@@ -161,6 +160,6 @@ def test_a_node_that_comes_back_is_a_new_one():
 @pytest.mark.parametrize("count", [1, 27, 60])
 def test_a_change_of_many_joints_stays_small(count):
     still = {str(k): Node(joint=Joint("r", np.eye(4), f"k{k}")) for k in range(count)}
-    moved = {path: replace(node, value=1 / 3) for path, node in still.items()}
+    moved = {path: node._replace(value=1 / 3) for path, node in still.items()}
     header, buffer = Wire(still).batch(diff(still, moved))
     assert len(json.dumps(header)) + len(buffer) < 110 + 12 * count + 16

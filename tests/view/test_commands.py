@@ -1,6 +1,5 @@
 """The difference between two pictures."""
 
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

@@ -188,7 +188,7 @@ def test_an_arc_lies_on_its_circle_and_keeps_its_ends(ends, stretch, segments):
     assert (points[-1] == p2).all()
     way = (p2 - p1) / np.linalg.norm(p2 - p1)
     left = np.array([-way[1], way[0]])
-    centre = (p1 + p2) / 2 - left * np.sqrt(radius**2 - np.sum((p2 - p1) ** 2) / 4)
+    centre = (p1 + p2) / 2 - left * np.sqrt(max(radius**2 - np.sum((p2 - p1) ** 2) / 4, 0))
     assert_allclose(np.linalg.norm(points - centre, axis=1), radius, rtol=1e-6)
     assert ((points - p1) @ left > -1e-6).all()
 

@@ -1,12 +1,12 @@
 """Robot kinematics in a notebook: from a Denavit-Hartenberg row to a moving limb in the cell.
 
-The names below are the whole public face of dhlab; modules behind them may move. Names that need
-a screen (`View`, `show`, `Panel`, `side_by_side`) are loaded when they are first used.
+The names below are the whole public face of dhlab; modules behind them may move. The models, and
+what needs a screen (`View`, `show`, `Panel`, `side_by_side`), are loaded when they are first used.
 """
 
 from typing import TYPE_CHECKING, Any
 
-from dhlab import models, shapes
+from dhlab import shapes
 from dhlab.animation import PlannedMotion, animate, block_motion, robot_motion
 from dhlab.errors import AttachError, DegreesWarning, DhlabError, InputError, LimitError
 from dhlab.kinematics.angles import (
@@ -48,12 +48,14 @@ from dhlab.scene.robots import robot, robot_complex
 from dhlab.shapes import arc
 
 if TYPE_CHECKING:
+    from dhlab import models
     from dhlab.panel import Panel, side_by_side
     from dhlab.view import View, show
 
-ON_A_SCREEN = {
+ON_FIRST_USE = {
     "Panel": "dhlab.panel",
     "View": "dhlab.view",
+    "models": "dhlab.models",
     "show": "dhlab.view",
     "side_by_side": "dhlab.panel",
 }
@@ -126,12 +128,13 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    """Load a name that needs a screen."""
-    if name not in ON_A_SCREEN:
+    """Load a name when it is first used: that of a module, or one in a module."""
+    if name not in ON_FIRST_USE:
         raise AttributeError(f"module 'dhlab' has no attribute {name!r}")
     from importlib import import_module
 
-    return getattr(import_module(ON_A_SCREEN[name]), name)
+    module = import_module(ON_FIRST_USE[name])
+    return getattr(module, name, module)
 
 
 def __dir__() -> list[str]:

@@ -1,8 +1,6 @@
 """Numbers, angles, poses and tables to read, as text and as HTML."""
 
 from collections.abc import Sequence
-from fractions import Fraction
-from html import escape
 from math import isfinite, pi
 
 import numpy as np
@@ -31,6 +29,8 @@ def angle_text(x: float) -> str:
     >>> angle_text(-np.pi / 16), angle_text(5 * np.pi / 4), angle_text(0.3)
     ('-pi/16', '5pi/4', '0.3')
     """
+    from fractions import Fraction
+
     part = Fraction(x / pi).limit_denominator(36) if isfinite(x) else 0
     if part == 0 or abs(part * pi - x) > 1e-12:
         return number_text(x)
@@ -80,6 +80,8 @@ def html_table(
     >>> html_table("Table", ["theta_i"], [["pi/2"]], [])
     '<table><caption>Table</caption><tr><th>θ<sub>i</sub></th></tr><tr><td>π/2</td></tr></table>'
     """
+    from html import escape
+
     lines = [_html_row(head, "th"), *(_html_row(row, "td") for row in rows)]
     below = "".join(f"<br>{escape(note)}" for note in notes)
     return f"<table><caption>{escape(title)}</caption>{''.join(lines)}</table>{below}"

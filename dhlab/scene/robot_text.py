@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from html import escape
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -34,6 +33,8 @@ def _branch(robot: Robot, indent: str) -> list[str]:
 
 def robot_html(robot: Robot) -> str:
     """Return the tables of all components in HTML, each under the robot's name."""
+    from html import escape
+
     parts = [f"<p><b>{escape(robot.name)}</b>: {robot.n} variables</p>"]
     parts += [
         f"<p>{escape(component.name)}</p>{component.chain._repr_html_()}"

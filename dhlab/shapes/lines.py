@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from hashlib import blake2b
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,6 +60,8 @@ class Lines:
     @cached_property
     def digest(self) -> str:
         """Name of the content: equal for lines with equal points and segments."""
+        from hashlib import blake2b
+
         content = blake2b((self.points + 0.0).tobytes(), digest_size=16, person=b"lines")
         content.update(self.segments.astype("<i8").tobytes())
         return content.hexdigest()
@@ -111,5 +112,7 @@ class Label:
     @cached_property
     def digest(self) -> str:
         """Name of the content: equal for labels with equal text and size."""
+        from hashlib import blake2b
+
         content = f"{self.size!r} {self.text}".encode()
         return blake2b(content, digest_size=16, person=b"label").hexdigest()

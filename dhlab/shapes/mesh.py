@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from hashlib import blake2b
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
@@ -118,6 +117,8 @@ class Mesh:
     @cached_property
     def digest(self) -> str:
         """Name of the content: equal for meshes with equal vertices and faces."""
+        from hashlib import blake2b
+
         numbers = blake2b((self.vertices + 0.0).tobytes(), digest_size=16, person=b"mesh")
         numbers.update(self.corners.vertex.astype("<i8").tobytes())
         numbers.update(self.corners.face.astype("<i8").tobytes())

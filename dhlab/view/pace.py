@@ -28,6 +28,7 @@ class Pace:
     >>> pace = Pace(lambda: calls.append("now"))
     >>> for _ in range(1000):
     ...     pace.ask()
+    >>> pace.stop()
     >>> len(calls) < 1000
     True
     """

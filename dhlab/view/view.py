@@ -3,16 +3,16 @@
 import os
 import sys
 from collections.abc import Mapping
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, Self
 
 from dhlab.arrays import as_name, as_number
 from dhlab.errors import InputError
-from dhlab.scene.handle import CHANGES, Handle, unused_name
+from dhlab.scene.handle import CHANGES, Handle
 from dhlab.scene.node import Node
-from dhlab.view.commands import Backend, Command, diff
+from dhlab.view.commands import Backend
 from dhlab.view.outputs import outputs_of
 from dhlab.view.pace import Pace
+from dhlab.view.picture import Picture
 from dhlab.view.recording import RecordingBackend
 
 if TYPE_CHECKING:
@@ -76,10 +76,7 @@ class View:
             "grid": bool(grid),
             "controls": bool(controls),
         }
-        self._names: dict[Handle, str] = {}
-        self._drawn: dict[str, dict[str, Node]] = {}
-        self._stale: set[Handle] = set()
-        self._gone: set[str] = set()
+        self._picture = Picture()
         self._pace = Pace(self.flush)
         self._shown: WidgetBackend | None = None
         self._backend: Backend | None = backend
@@ -89,7 +86,7 @@ class View:
     @property
     def handles(self) -> tuple[Handle, ...]:
         """What the view shows, in the order it was added."""
-        return tuple(self._names)
+        return tuple(self._picture)
 
     @property
     def nodes(self) -> Mapping[str, Node]:
@@ -100,8 +97,7 @@ class View:
         """
         with CHANGES:
             self.flush()
-            drawn = (self._drawn[name] for name in self._names.values())
-            return MappingProxyType({path: node for nodes in drawn for path, node in nodes.items()})
+            return self._picture.nodes
 
     @property
     def widget(self) -> "SceneWidget":
@@ -142,10 +138,9 @@ class View:
                 )
         with CHANGES:
             for handle in handles:
-                if handle not in self._names:
-                    self._names[handle] = self._unused_name(handle.name)
+                if handle not in self._picture:
+                    self._picture.add(handle)
                     handle.watch(self)
-                    self._stale.add(handle)
             self._send_soon()
         return self
 
@@ -163,29 +158,28 @@ class View:
         """
         with CHANGES:
             for handle in handles:
-                if handle not in self._names:
-                    there = ", ".join(self._names.values()) or "nothing"
+                if handle not in self._picture:
+                    there = ", ".join(self._picture.names) or "nothing"
                     what = repr(getattr(handle, "name", handle))
                     raise InputError(f"{self.name!r} does not show {what}; it shows {there}")
             for handle in dict.fromkeys(handles):
                 handle.unwatch(self)
-                self._stale.discard(handle)
-                self._gone.add(self._names.pop(handle))
+                self._picture.remove(handle)
             self._send_soon()
 
     def clear(self) -> None:
         """Show nothing."""
-        self.remove(*self._names)
+        self.remove(*self._picture)
 
     def handle_changed(self, handle: Handle) -> None:
         """Take note that a handle changed; the handle calls this, with `CHANGES` held."""
-        self._stale.add(handle)
+        self._picture.touch(handle)
         self._send_soon()
 
     def flush(self) -> None:
         """Send now what waits to be sent."""
         with CHANGES:
-            batch = self._changes()
+            batch = self._picture.changes()
             if batch and self._backend is not None:
                 self._backend.send(batch)
 
@@ -198,7 +192,7 @@ class View:
                 self._shown = self._backend = None
 
     def __repr__(self) -> str:
-        shown = ", ".join(self._names.values())
+        shown = ", ".join(self._picture.names)
         return f"View({self.name!r}{': ' if shown else ''}{shown})"
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
@@ -218,29 +212,6 @@ class View:
         """Send what changed in time; a recording view waits until it is looked at."""
         if self._backend is not None and not isinstance(self._backend, RecordingBackend):
             self._pace.ask()
-
-    def _changes(self) -> list[Command]:
-        """Commands from what was drawn last to what is there now.
-
-        With a handle go all those that hang together with it: a change of a robot is one batch,
-        also where its parts are shown one by one.
-        """
-        roots = {handle.root for handle in self._stale}
-        stale = [handle for handle in self._names if handle.root in roots] if roots else []
-        batch: list[Command] = []
-        for name in sorted(self._gone - set(self._names.values())):
-            batch.extend(diff(self._drawn.pop(name, {}), {}))
-        for handle in stale:
-            name = self._names[handle]
-            now = handle.describe(name)
-            batch.extend(diff(self._drawn.get(name, {}), now))
-            self._drawn[name] = now
-        self._stale.clear()
-        self._gone.clear()
-        return batch
-
-    def _unused_name(self, name: str) -> str:
-        return unused_name(name, set(self._names.values()))
 
 
 def show(*handles: Handle, **options: Any) -> View:

@@ -106,14 +106,17 @@ def wait_for_server(url: str, server: "subprocess.Popen[bytes]", log: Path) -> N
 
 @pytest.fixture(scope="module")
 def open_notebook(lab: Lab, browser: Browser) -> Iterator[Callable[..., Notebook]]:
-    """Open a notebook with given cells in a page of its own; all are closed after the module."""
+    """Open a notebook in a page of its own; all are closed after the module.
+
+    It is a new one with the given cells, or the one called `name` once more.
+    """
     pages: list[Page] = []
 
-    def open_(*cells: str, **options: Any) -> Notebook:
+    def open_(*cells: str, name: str | None = None, **options: Any) -> Notebook:
         viewport = {"width": options.pop("width", 1200), "height": options.pop("height", 900)}
         page = browser.new_page(viewport=viewport, **options)
         pages.append(page)
-        return Notebook(lab, page, lab.write(*cells))
+        return Notebook(lab, page, name or lab.write(*cells))
 
     yield open_
     for page in pages:

@@ -35,6 +35,11 @@ EXECUTE = """async (code) => {
   return [content.status, said.join("")];
 }"""
 
+START = """(code) => {
+  const { kernel } = jupyterapp.shell.currentWidget.sessionContext.session;
+  kernel.requestExecute({ code });
+}"""
+
 READY = """() => {
   const panel = globalThis.jupyterapp?.shell.currentWidget;
   return panel?.sessionContext?.session?.kernel?.status === "idle" && panel.content.widgets.length;
@@ -117,11 +122,15 @@ class Notebook:
         return self.run_cell(self.page.evaluate(ADD_CELL, code))
 
     def execute(self, code: str) -> str:
-        """Run code in the kernel without a cell; return what it prints."""
-        status, said = self.page.evaluate(EXECUTE, code)
+        """Run code in the kernel without a cell; return what it prints, show nothing."""
+        status, said = self.page.evaluate(EXECUTE, f"{code}\nNone")
         if status != "ok":
             raise AssertionError(said)
         return str(said)
+
+    def start(self, code: str) -> None:
+        """Let the kernel run code without waiting for its end."""
+        self.page.evaluate(START, code)
 
     def value(self, expression: str) -> Any:
         """Value of a Python expression, arrays as arrays."""

@@ -149,6 +149,38 @@ def test_ten_thousand_changes_end_at_once_and_the_last_is_seen(notebook, shown):
     assert shown.evaluate("view.scene.nodes.size") == 1
 
 
+def test_the_last_change_is_seen_while_the_cell_still_runs(notebook, shown):
+    notebook.start(
+        "import time\nfor k in range(100): box.move((k / 100, 0, 0))\n"
+        "time.sleep(2)\nbox.move((5, 0, 0))"
+    )
+    shown.wait_until("Math.abs(view.pose('box')[3] - 0.99) < 1e-6", seconds=1.5)
+    shown.wait_until("view.pose('box')[3] === 5", seconds=5)
+
+
+def test_changes_from_another_thread_are_seen(notebook, shown):
+    notebook.execute(
+        "import threading\n"
+        "def work():\n    for k in range(200): box.move((k / 200, 0, 0))\n"
+        "worker = threading.Thread(target=work); worker.start()\n"
+        "for k in range(200): box.color = (k / 200, 0.5, 0.5)\n"
+        "worker.join(); box.color = '#d55e00'"
+    )
+    shown.wait_until("Math.abs(view.pose('box')[3] - 0.995) < 1e-6")
+    assert same_poses(shown) < 1e-7
+    shown.wait_until("view.scene.nodes.get(view.scene.paths.get('box')).style.color[2] === 0")
+
+
+def test_a_handle_as_the_last_expression_shows_itself(notebook, shown):
+    notebook.execute("from dhlab.view.display import register; register()")
+    notebook.run("alone = cube(0.3, name='alone', color='#d55e00')\nalone")
+    alone = notebook.view("alone")
+    alone.settle()
+    assert near(alone.pixels(), ORANGE).mean() > 0.02
+    notebook.execute("alone.move((0.1, 0, 0))")
+    alone.wait_until("view.pose('alone')[3] > 0.099")
+
+
 def test_the_buttons_place_the_camera(notebook, shown):
     for action, axis in {"front": [0, -1, 0], "side": [1, 0, 0], "top": [0, 0, 1]}.items():
         shown.click(action)
@@ -305,15 +337,21 @@ def test_a_cell_run_thirty_times_keeps_one_view(notebook, shown):
 
 
 def test_a_page_loaded_again_and_a_second_page_show_the_present_scene(
-    notebook, shown, open_notebook, browser
+    notebook, shown, open_notebook
 ):
-    notebook.execute("box.move((0.2, 0.1, 0.05)); extra = cube(0.1, name='extra'); main.add(extra)")
+    notebook.execute("box.move((0.2, 0.1, 0)); extra = cube(0.1, name='extra'); main.add(extra)")
     notebook.page.evaluate("() => jupyterapp.commands.execute('docmanager:save')")
-    notebook.execute("box.move((0.25, 0.1, 0.05)); main.flush()")
+    notebook.execute("box.move((0.25, 0.1, 0)); main.flush()")
+    second_page = open_notebook(name=notebook.name)
     notebook.open()
-    again = notebook.view("main", stage=0)
-    again.wait_until("view.scene.paths.has('extra')")
-    assert np.allclose(again.pose("box")[:3, 3], [0.25, 0.1, 0.05], atol=1e-7)
-    assert near(again.pixels(), ORANGE).mean() > 0.02
-    notebook.execute("box.move((0.3, 0.1, 0.05))")
-    again.wait_until("Math.abs(view.pose('box')[3] - 0.3) < 1e-6")
+    for page in (notebook, second_page):
+        again = page.view("main", stage=0)
+        again.wait_until("view.scene.paths.has('extra')")
+        assert np.allclose(again.pose("box")[:3, 3], [0.25, 0.1, 0], atol=1e-7)
+        again.settle()
+        assert near(again.pixels(), ORANGE).mean() > 0.01
+    notebook.execute("box.move((0.3, 0.1, 0)); main.remove(extra); main.flush()")
+    for page in (notebook, second_page):
+        again = page.view("main", stage=0)
+        again.wait_until("!view.scene.paths.has('extra')")
+        assert np.allclose(again.pose("box")[:3, 3], [0.3, 0.1, 0], atol=1e-7)

@@ -137,7 +137,7 @@ def test_ten_thousand_changes_end_at_once_and_the_last_is_told(comms, box):
     for x in range(10_000):
         box.shift(x)
     took = monotonic() - began
-    assert wait_for(lambda: view._drawn["crate"]["crate"].pose[0, 3] == 9999)
+    assert wait_for(lambda: view._picture.nodes["crate"].pose[0, 3] == 9999)
     header, buffer = comm.batches[-1]
     assert np.frombuffer(buffer, "<f4", 12, header["poses"]["matrices"])[3] == 9999
     assert len(comm.batches) <= took * 60 + 3

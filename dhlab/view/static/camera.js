@@ -39,6 +39,7 @@ export class Camera {
 
   /** Look at all of `points` from `direction`, or from where the camera stands now. */
   fit(points, direction = this.#present(), glide = true) {
+    if (points.length === 0) return;
     this.direction = direction.clone().normalize();
     const { target, distance } = this.#frame(points, this.direction);
     const position = this.direction.clone().multiplyScalar(distance).add(target);

@@ -7,8 +7,8 @@ frame 0 is the base, 1 to n are the joints, n + 1 is the grasper.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,8 +25,7 @@ STICK_WIDTH = 5.0
 """Width of the lines of a stick robot [pixel]."""
 
 
-@dataclass(frozen=True)
-class Appearance:
+class Appearance(NamedTuple):
     """All that the default looks of one robot depend on.
 
     Attributes

@@ -151,6 +151,8 @@ class Handle:
             if self._parent is not None:
                 nodes[name] = nodes[name]._replace(pose=self.world_pose)
             for number, handle in enumerate(self.walk()):
+                if not handle._marks:
+                    continue
                 whose = f"{name}.{number}" if number else name
                 for path, node in handle._marks.items():
                     nodes[f"{whose}.{path}"] = node

@@ -133,6 +133,13 @@ def same_place(a: Node, b: Node) -> bool:
     return a.value == b.value and a.curve is b.curve and same_pose(a, b)
 
 
+def same_but_for_place(a: Node, b: Node) -> bool:
+    """Whether two nodes surely differ in their place at most: a quick look, by identity."""
+    return (
+        a.joint is b.joint and a.shape is b.shape and a.style is b.style and a.visible == b.visible
+    )
+
+
 def same_pose(a: Node, b: Node) -> bool:
     """Whether two nodes have the same pose, whatever their joints do."""
     return a.pose is b.pose or bool(np.array_equal(a.pose, b.pose))
@@ -145,7 +152,7 @@ def same_body(a: Node, b: Node) -> bool:
 
 def same_paint(a: Node, b: Node) -> bool:
     """Whether two nodes are painted alike."""
-    return a.visible == b.visible and (a.style is b.style or a.style == b.style)
+    return a.visible == b.visible and a.style == b.style
 
 
 def same_shape(a: Shape | None, b: Shape | None) -> bool:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple, Protocol, TypeAlias
 
-from dhlab.scene.node import Node, same_body, same_paint, same_place
+from dhlab.scene.node import Node, same_body, same_but_for_place, same_paint, same_place
 
 
 class Put(NamedTuple):
@@ -122,19 +122,19 @@ def apply(nodes: dict[str, Node], batch: Iterable[Command]) -> None:
 
 
 def _changes(path: str, before: Node | None, node: Node) -> list[Command]:
-    if before is None or not same_body(before, node):
+    if before is None:
         return [Put(path, node)]
-    commands: list[Command] = []
-    if not same_place(before, node):
-        commands.append(Place(path, node))
-    if not same_paint(before, node):
-        commands.append(Paint(path, node))
-    return commands
+    places: list[Command] = [] if same_place(before, node) else [Place(path, node)]
+    if same_but_for_place(before, node):
+        return places
+    if not same_body(before, node):
+        return [Put(path, node)]
+    return places if same_paint(before, node) else [*places, Paint(path, node)]
 
 
 def _placed(node: Node, place: Node) -> Node:
     """Return a node at the place of another, which may be the same but for its place."""
-    if node.shape is place.shape and node.joint is place.joint and same_paint(node, place):
+    if same_but_for_place(node, place):
         return place
     return node._replace(pose=place.pose, value=place.value, curve=place.curve)
 

@@ -2,12 +2,15 @@
 
 import threading
 from collections.abc import Callable
-from time import monotonic
+from time import monotonic, sleep
 
 from dhlab.scene.handle import CHANGES
 
 INTERVAL = 1 / 60
 """Seconds between two batches, at least."""
+
+LINGER = 0.25
+"""Seconds that the thread of late calls waits for more before it ends."""
 
 
 class Pace:
@@ -36,31 +39,49 @@ class Pace:
     def __init__(self, action: Callable[[], None]) -> None:
         self._action = action
         self._earliest = 0.0
-        self._waiting: threading.Timer | None = None
+        self._waiting = False
+        self._thread: threading.Thread | None = None
 
     def ask(self) -> None:
         """Call the action now, or as soon as it may be; the caller holds `CHANGES`."""
-        wait = self._earliest - monotonic()
-        if wait <= 0:
+        if monotonic() >= self._earliest:
             self._act()
-        elif self._waiting is None:
-            self._waiting = threading.Timer(wait, self._act_late)
-            self._waiting.daemon = True
-            self._waiting.start()
+            return
+        self._waiting = True
+        if self._thread is None:
+            self._thread = threading.Thread(target=self._act_late, daemon=True)
+            self._thread.start()
 
     def stop(self) -> None:
         """Forget what waits; the caller holds `CHANGES`."""
-        if self._waiting is not None:
-            self._waiting.cancel()
-            self._waiting = None
+        self._waiting = False
 
     def _act_late(self) -> None:
-        with CHANGES:
-            if self._waiting is threading.current_thread():
-                self._act()
+        """Act for calls that came too early, until none has come for a while.
+
+        Nobody wakes this thread and it rarely wants the lock: that would cost those who ask more
+        than they do.
+        """
+        end = monotonic() + LINGER
+        while True:
+            sleep(max(self._earliest - monotonic(), 0.0) or INTERVAL)
+            if not self._waiting and monotonic() < end:
+                continue
+            with CHANGES:
+                if self._waiting and monotonic() >= self._earliest:
+                    this, self._thread = (
+                        self._thread,
+                        None,
+                    )  # the next call starts another if it fails
+                    self._act()
+                    self._thread = this
+                    end = monotonic() + LINGER
+                elif not self._waiting and monotonic() >= end:
+                    self._thread = None
+                    return
 
     def _act(self) -> None:
-        self.stop()
+        self._waiting = False
         began = monotonic()
         try:
             self._action()

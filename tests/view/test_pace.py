@@ -6,7 +6,7 @@ from time import monotonic, sleep
 import pytest
 
 from dhlab.scene.handle import CHANGES
-from dhlab.view.pace import INTERVAL, Pace
+from dhlab.view.pace import INTERVAL, LINGER, Pace
 
 
 class Sink:
@@ -117,3 +117,31 @@ def test_an_action_that_fails_fails_for_the_caller_and_may_be_asked_again():
     with pytest.raises(RuntimeError, match="no channel"):
         pace.ask()
     pace.stop()
+
+
+def test_a_late_action_that_fails_leaves_the_next_to_be_told(monkeypatch):
+    failures, calls = [], []
+    monkeypatch.setattr(threading, "excepthook", failures.append)
+
+    def act():
+        calls.append(monotonic())
+        if len(calls) == 2:
+            raise RuntimeError("no channel")
+
+    pace = Pace(act)
+    for count in (2, 3, 4):
+        with CHANGES:
+            pace.ask()
+            pace.ask()
+        assert wait_for(lambda count=count: len(calls) >= count)
+    assert len(failures) == 1
+
+
+def test_calls_long_after_the_last_are_told_too():
+    sink = Sink()
+    for burst in range(3):
+        sink.change((burst, "first"))
+        sink.change((burst, "last"))
+        assert wait_for(lambda burst=burst: sink.seen[-1] == (burst, "last"))
+        sleep(2 * LINGER)
+    assert not [t for t in threading.enumerate() if t.name.endswith("(_act_late)")]

@@ -4,6 +4,8 @@ The names below are the whole public face of dhlab; modules behind them may move
 what needs a screen (`View`, `show`, `Panel`, `side_by_side`), are loaded when they are first used.
 """
 
+import sys
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from dhlab import shapes
@@ -131,8 +133,6 @@ def __getattr__(name: str) -> Any:
     """Load a name when it is first used: that of a module, or one in a module."""
     if name not in ON_FIRST_USE:
         raise AttributeError(f"module 'dhlab' has no attribute {name!r}")
-    from importlib import import_module
-
     module = import_module(ON_FIRST_USE[name])
     return getattr(module, name, module)
 
@@ -140,3 +140,7 @@ def __getattr__(name: str) -> Any:
 def __dir__() -> list[str]:
     """List the public names."""
     return sorted(__all__)
+
+
+if "IPython" in sys.modules:  # a handle as the last expression of a cell shows itself
+    import_module("dhlab.view.display").register()

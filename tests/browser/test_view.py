@@ -172,7 +172,6 @@ def test_changes_from_another_thread_are_seen(notebook, shown):
 
 
 def test_a_handle_as_the_last_expression_shows_itself(notebook, shown):
-    notebook.execute("from dhlab.view.display import register; register()")
     notebook.run("alone = cube(0.3, name='alone', color='#d55e00')\nalone")
     alone = notebook.view("alone")
     alone.settle()

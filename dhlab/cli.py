@@ -8,7 +8,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from dhlab.errors import DhlabError
+from dhlab.errors import DhlabError, InputError
 from dhlab.workcopy import Refreshed, refresh, shipped
 
 if TYPE_CHECKING:
@@ -20,6 +20,7 @@ examples:
   dhlab lab                            open the notebooks in your browser
   dhlab lab --dir FOLDER               keep your copy of them in FOLDER
   dhlab lab --no-browser --port 8890   start the server only, at this port
+  dhlab export upper_limb -o limb.html   write a model as a page with sliders
   dhlab COMMAND --help                 all about one command\
 """
 LAB = """\
@@ -28,6 +29,11 @@ Open JupyterLab on your own copy of the notebooks, at their index.
 The copy lies in a folder of its own (--dir). New notebooks are copied in, and those that you have
 not changed are brought up to date. What you have changed is never overwritten: to start a notebook
 afresh, delete or rename your copy and run this command again.\
+"""
+EXPORT = """\
+Write a model of dhlab.models as one HTML file: the picture, sliders, and nothing else needed.
+
+The page opens from disk by double click, offline, on a phone too.\
 """
 INDEX = "notebooks/index.ipynb"
 
@@ -99,7 +105,25 @@ def add_lab(commands: "Commands") -> None:
     lab.set_defaults(run=run_lab)
 
 
-COMMANDS: tuple[Callable[["Commands"], None], ...] = (add_lab,)
+def add_export(commands: "Commands") -> None:
+    """Add `dhlab export`."""
+    export = commands.add_parser(
+        "export",
+        help="write a model as one HTML file that needs nothing else",
+        description=EXPORT,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    export.add_argument("model", metavar="MODEL", help="a name in dhlab.models such as upper_limb")
+    export.add_argument("-o", "--out", required=True, type=Path, metavar="FILE")
+    export.add_argument(
+        "--look",
+        choices=("user", "solid", "stick"),
+        help="what is drawn",
+    )
+    export.set_defaults(run=run_export)
+
+
+COMMANDS: tuple[Callable[["Commands"], None], ...] = (add_lab, add_export)
 
 
 def run_lab(options: argparse.Namespace) -> int:
@@ -114,6 +138,23 @@ def run_lab(options: argparse.Namespace) -> int:
     from jupyterlab.labapp import LabApp
 
     LabApp.launch_instance(server_arguments(options, folder))
+    return 0
+
+
+def run_export(options: argparse.Namespace) -> int:
+    """Write a page that shows one model."""
+    import dhlab.models as models
+    from dhlab.view.view import View
+
+    if options.model not in models.__all__:
+        choices = ", ".join(models.__all__)
+        raise InputError(f"no model {options.model!r} in dhlab.models; there are {choices}")
+    robot = getattr(models, options.model)()
+    if options.look is not None:
+        robot.look = options.look
+    view = View(options.model).add(robot)
+    place = view.save_html(options.out.expanduser(), options.model.replace("_", " "))
+    print(f"dhlab: wrote {place} ({place.stat().st_size / 1e6:.1f} MB)")
     return 0
 
 

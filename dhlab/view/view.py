@@ -3,6 +3,7 @@
 import os
 import sys
 from collections.abc import Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Self
 
 from dhlab.arrays import as_name, as_number
@@ -182,6 +183,33 @@ class View:
             batch = self._picture.changes()
             if batch and self._backend is not None:
                 self._backend.send(batch)
+
+    def save_html(self, path: str | os.PathLike[str], title: str | None = None) -> Path:
+        """Save what is seen as one HTML file, with sliders for the robots and their motions.
+
+        It opens from disk by double click, without a kernel, a server or a network.
+
+        Parameters
+        ----------
+        path : str or path
+            An existing file is written over.
+        title : str, optional
+            Over the sliders; the view's name if not given.
+
+        Returns
+        -------
+        path : Path
+
+        Raises
+        ------
+        InputError
+            The view shows nothing, or there is no such folder; then nothing is written.
+        """
+        from dhlab.view.html import save
+
+        shown = self.name if title is None else title
+        with CHANGES:
+            return save(path, shown, self.handles, self.nodes, self._options)
 
     def close(self) -> None:
         """Close the view's widget and the pictures it shows; it can be shown again."""

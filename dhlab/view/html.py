@@ -1,0 +1,189 @@
+"""A view as one HTML file: it opens from disk, without a kernel, a server or a network.
+
+The file holds the scene as the wire has it, meshcat's viewer and the page's own modules, each
+deflated, and a description of the sliders. Two walls keep names and texts from being read as HTML
+or code: they are escaped, and the page's content security policy runs the scripts named by their
+hashes and nothing else, and loads nothing.
+"""
+
+import json
+import os
+from base64 import b64encode
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from hashlib import sha256
+from html import escape
+from importlib.resources import files
+from math import isfinite
+from pathlib import Path
+from string import Template
+from typing import Any
+from zlib import compress
+
+from dhlab.errors import InputError
+from dhlab.scene.component import Component
+from dhlab.scene.handle import Handle
+from dhlab.scene.node import Node
+from dhlab.scene.reading import Reading, component_readings, joint_label
+from dhlab.scene.robot import Robot
+from dhlab.view import assets
+from dhlab.view.wire import Wire
+
+POLICY = (
+    "default-src 'none'; script-src 'unsafe-eval' {}; style-src 'unsafe-inline'; "
+    "img-src data: blob:"
+)
+"""`unsafe-eval` is for those who look into the page: the browser's tools, and tests."""
+
+
+def save(
+    path: str | os.PathLike[str],
+    title: str,
+    handles: Sequence[Handle],
+    nodes: Mapping[str, Node],
+    options: Mapping[str, Any],
+) -> Path:
+    """Write a page that shows a scene; return where.
+
+    Parameters
+    ----------
+    path : str or path
+        An existing file is written over.
+    title : str
+    handles : sequence of Handle
+        What the scene shows.
+    nodes : mapping of str to Node
+        What is seen of them.
+    options : mapping
+        Of the view.
+
+    Raises
+    ------
+    InputError
+        Nothing is shown, or no such page can be written there; then nothing is.
+    """
+    place = _checked_path(path)
+    if not isinstance(title, str) or not title.strip():
+        raise InputError(f"the title of a page must be text, not empty, got {title!r}")
+    if not handles:
+        raise InputError("there is nothing to save: the view shows no handle; add one first")
+    place.write_text(page(title, handles, Wire(nodes).snapshot(), options), encoding="utf-8")
+    return place
+
+
+def page(title: str, handles: Iterable[Handle], snapshot: bytes, options: Mapping[str, Any]) -> str:
+    """Return a page that shows a scene, with sliders for the robots among its handles.
+
+    Parameters
+    ----------
+    title : str
+    handles : iterable of Handle
+        What the scene shows.
+    snapshot : bytes
+        The scene, as `dhlab.view.wire.Wire` has it.
+    options : mapping
+        Of the view: `height`, `background`, `grid`, `controls`.
+
+    Returns
+    -------
+    text : str
+        HTML with everything that it needs.
+    """
+    robots = [_robot(component) for component in components(handles)]
+    about = {"name": title, "options": dict(options), "robots": robots}
+    meshcat, start = assets.meshcat(), assets.bundle("unpack")
+    viewer = f'(() => {{\n"use strict";\n{assets.bundle("standalone")}}})();\n'
+    return Template(_static("standalone.html")).substitute(
+        policy=POLICY.format(" ".join(map(_hash, (start, meshcat, viewer)))),
+        title=escape(title),
+        style=_static("standalone.css"),
+        hidden="" if robots else " hidden",
+        about=_json(about),
+        scene=_packed(snapshot),
+        viewer=_packed(viewer.encode()),
+        meshcat=_packed(meshcat.encode()),
+        start=start,
+    )
+
+
+def components(handles: Iterable[Handle]) -> tuple[Component, ...]:
+    """Return the simple robots among handles, each once, in the order of the handles."""
+    robots = (handle for handle in handles if isinstance(handle, Robot))
+    return tuple(dict.fromkeys(component for robot in robots for component in robot.components))
+
+
+def _checked_path(path: str | os.PathLike[str]) -> Path:
+    """Return where a page may be written.
+
+    Examples
+    --------
+    >>> _checked_path("no/such/folder/limb.html")
+    Traceback (most recent call last):
+    ...
+    dhlab.errors.InputError: there is no folder 'no/such/folder' for 'limb.html'
+    """
+    if not isinstance(path, str | os.PathLike) or not os.fspath(path):
+        raise InputError(f"a page needs a path such as 'limb.html', got {path!r}")
+    place = Path(path)
+    if place.is_dir():
+        raise InputError(f"{str(place)!r} is a folder; a page needs the path of a file in it")
+    if not place.parent.is_dir():
+        raise InputError(f"there is no folder {str(place.parent)!r} for {place.name!r}")
+    return place
+
+
+def _robot(component: Component) -> dict[str, Any]:
+    color = "#" + "".join(f"{round(255 * part):02x}" for part in component.color)
+    return {"name": component.name, "color": color, "joints": list(_joints(component))}
+
+
+def _joints(component: Component) -> Iterator[dict[str, Any]]:
+    """Describe the sliders of one component, numbers in [rad or m] where nothing else is said.
+
+    On the page a joint's variable has the offset in it; a slider shows ``factor`` times the
+    variable without it.
+    """
+    chain = component.chain
+    numbers = zip(chain.offset.tolist(), chain.home.tolist(), component.q.tolist(), strict=True)
+    joints = zip(component.keys, component_readings(component), numbers, strict=True)
+    for i, (key, reading, (offset, home, value)) in enumerate(joints, start=1):
+        lower, upper = (end if isfinite(end) else None for end in reading.limits)
+        label = joint_label(reading.kind, i)
+        yield {
+            "key": key,
+            "label": label,
+            "kind": reading.kind,
+            "lower": lower,
+            "upper": upper,
+            "span": reading.span,
+            "ends": reading.ends(),
+            "note": None if reading.bounded else _note(label, reading),
+            "offset": offset,
+            "home": home,
+            "value": value,
+            "unit": reading.unit,
+            "factor": reading.shown(1.0),
+            "decimals": reading.decimals,
+        }
+
+
+def _note(label: str, reading: Reading) -> str:
+    lower, upper = reading.ends(reading.span)
+    return f"{label} has no limits: its slider goes from {lower} to {upper} {reading.unit}"
+
+
+def _static(name: str) -> str:
+    return (files("dhlab.view") / "static" / name).read_text(encoding="utf-8")
+
+
+def _json(value: Any) -> str:
+    """Write JSON that holds no letter which HTML could take for its own."""
+    text = json.dumps(value, allow_nan=False, separators=(",", ":"))
+    return text.translate({ord(letter): f"\\u{ord(letter):04x}" for letter in "<>&"})
+
+
+def _packed(content: bytes) -> str:
+    return b64encode(compress(content, 9)).decode("ascii")
+
+
+def _hash(script: str) -> str:
+    return f"'sha256-{b64encode(sha256(script.encode()).digest()).decode('ascii')}'"

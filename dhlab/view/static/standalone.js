@@ -1,0 +1,32 @@
+/**
+ * The viewer of a page without a kernel: a view whose widget is the file itself, and sliders that
+ * reach it over the page. `unpack.js` calls it.
+ */
+import { Connection } from "./connection.js";
+import { sharedPage } from "./page.js";
+import { Sliders } from "./sliders.js";
+
+/** What stands in for a widget's model: it holds the scene, and nobody is at the other end. */
+class File {
+  #traits;
+
+  constructor(traits) {
+    this.#traits = traits;
+  }
+
+  get(trait) {
+    return this.#traits[trait];
+  }
+
+  send() {}
+
+  on() {}
+
+  off() {}
+}
+
+globalThis[Symbol.for("dhlab.open")] = ({ name, options, robots }, scene) => {
+  const connection = new Connection(new File({ name, scene }));
+  connection.open(document.getElementById("picture"), options);
+  new Sliders(document.getElementById("sliders"), robots, sharedPage());
+};

@@ -4,7 +4,6 @@ Beside it: the same 32 frames through meshcat-python's own transport, with its s
 the frames computed beforehand. Both are called in the same Jupyter kernel, in turns.
 """
 
-import json
 import socket
 import subprocess
 import sys
@@ -81,6 +80,7 @@ def times(url: str) -> list[float]:
     """In the kernel: milliseconds of one change, of its sending, without a view, and of meshcat."""
     import meshcat
     import numpy as np
+
     from dhlab import models
 
     lonely = models.upper_limb()

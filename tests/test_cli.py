@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from dhlab import cli
+from dhlab import cli, models
 from dhlab.errors import DhlabError
 from dhlab.workcopy import RECORD, refresh, shipped
 
@@ -151,6 +151,11 @@ def test_help_names_every_command_and_its_options(capsys):
     text = capsys.readouterr().out
     for option in ("--dir", "--no-browser", "--port", "--no-token", "never overwritten"):
         assert option in text
+    with pytest.raises(SystemExit, match="0"):
+        cli.main(["export", "--help"])
+    text = capsys.readouterr().out
+    for option in ("MODEL", "-o FILE", "--look {user,solid,stick}", "double click"):
+        assert option in text
 
 
 @pytest.mark.parametrize(
@@ -160,6 +165,8 @@ def test_help_names_every_command_and_its_options(capsys):
         (["lobby"], "invalid choice: 'lobby'"),
         (["lab", "--port", "many"], "a port is a number from 1 to 65535, got 'many'"),
         (["lab", "--port", "70000"], "a port is a number from 1 to 65535, got '70000'"),
+        (["export", "upper_limb"], "required: -o"),
+        (["export", "puma", "-o", "a.html", "--look", "odd"], "invalid choice: 'odd'"),
     ],
 )
 def test_a_wrong_command_line_says_what_was_wanted(arguments, words, capsys):
@@ -172,6 +179,36 @@ def test_a_folder_that_cannot_be_written_is_one_sentence(tmp_path, capsys):
     (tmp_path / "file").write_text("not a folder")
     assert cli.main(["lab", "--dir", str(tmp_path / "file" / "copy")]) == 2
     assert re.match(r"dhlab: .*file.*\n$", capsys.readouterr().err)
+
+
+@pytest.mark.parametrize("look", [[], ["--look", "user"], ["--look", "stick"]])
+def test_a_model_is_exported_as_one_page(tmp_path, capsys, look):
+    page = tmp_path / "limb.html"
+    assert cli.main(["export", "upper_limb", "-o", str(page), *look]) == 0
+    assert capsys.readouterr().out == f"dhlab: wrote {page} (0.4 MB)\n"
+    text = page.read_text("utf-8")
+    assert "<title>upper limb</title>" in text
+    for name in ("arm", "thumb", "index", "middle", "ring", "little"):
+        assert f'{{"name":"{name}"' in text
+
+
+def test_each_model_can_be_exported(tmp_path):
+    for model in models.__all__:
+        assert cli.main(["export", model, "-o", str(tmp_path / f"{model}.html")]) == 0
+
+
+@pytest.mark.parametrize("model", ["lower_limb", "__all__", "limb"])
+def test_a_model_that_is_not_there_is_told_with_the_choices(tmp_path, capsys, model):
+    assert cli.main(["export", model, "-o", str(tmp_path / "page.html")]) == 2
+    said = capsys.readouterr().err
+    assert said.startswith(f"dhlab: no model '{model}' in dhlab.models; there are arm, finger, ")
+    assert "upper_limb" in said
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_page_that_cannot_be_written_is_one_sentence(tmp_path, capsys):
+    assert cli.main(["export", "puma", "-o", str(tmp_path / "none" / "page.html")]) == 2
+    assert re.match(r"dhlab: there is no folder '.*none' for .*\n$", capsys.readouterr().err)
 
 
 def test_jupyterlab_asks_for_a_token_unless_told_otherwise(tmp_path):

@@ -4,6 +4,7 @@ import secrets
 from collections.abc import Sequence
 from importlib.resources import files
 from typing import Any
+from uuid import uuid4
 
 import anywidget
 import numpy as np
@@ -11,12 +12,7 @@ import traitlets
 
 from dhlab.view import assets
 
-IMPORT = 'import { sharedPage } from "../../view/static/page.js";\n'
-
-
-def source(name: str) -> str:
-    """Text of a file in ``static``."""
-    return (files("dhlab.panel") / "static" / name).read_text(encoding="utf-8")
+STATIC = files("dhlab.panel") / "static"
 
 
 class Link(anywidget.AnyWidget):
@@ -34,9 +30,10 @@ class Link(anywidget.AnyWidget):
         value.
     """
 
-    _esm = assets.bundle("page") + source("link.js").replace(IMPORT, "")
-    _css = source("panel.css")
+    _esm = assets.bundle("link", STATIC)
+    _css = (STATIC / "panel.css").read_text(encoding="utf-8")
 
+    own_id = traitlets.Unicode().tag(sync=True)
     token = traitlets.Unicode().tag(sync=True)
     sliders = traitlets.List(traitlets.Unicode()).tag(sync=True)
     joints: traitlets.List[Any] = traitlets.List().tag(sync=True)
@@ -47,7 +44,8 @@ class Link(anywidget.AnyWidget):
 
     def __init__(self, **options: Any) -> None:
         self._count = 0
-        super().__init__(**options)
+        own_id = uuid4().hex
+        super().__init__(model_id=own_id, own_id=own_id, **options)
 
     def tell(self, answered: int, shown: Sequence[float], clocks: Sequence[str]) -> None:
         """Tell the page the values of all sliders: one message."""

@@ -30,6 +30,14 @@ COUNT_MESSAGES = """() => {
     else if (msg.content.data.method === "update") messages.panel += 1;
   });
 }"""
+GIVE_UP = """() => {
+  globalThis.patient = AbortSignal.timeout;
+  AbortSignal.timeout = () => {
+    const controller = new AbortController();
+    queueMicrotask(() => controller.abort());
+    return controller.signal;
+  };
+}"""
 PRESS_FIVE_TIMES = """handle => {
   for (let i = 0; i < 5; i++) {
     handle.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight", cancelable: true }));
@@ -233,6 +241,19 @@ def test_a_motion_that_no_view_shows_moves_the_sliders_to_its_end(notebook, slid
     alone = Sliders(notebook)
     notebook.execute("animate([0, 9], {other: lambda t: other.home - t / 100 * (other.home > 0)})")
     alone.wait_for(np.degrees(notebook.value("other.q")))
+    notebook.page.evaluate("jupyterapp.commands.execute('notebook:delete-cell')")
+
+
+def test_the_sliders_follow_though_anywidget_has_given_up_waiting_for_them(notebook, sliders):
+    notebook.page.evaluate(GIVE_UP)
+    notebook.messages.clear()
+    notebook.execute("late = models.upper_limb()")
+    notebook.run("Panel(late)")
+    alone = Sliders(notebook)
+    notebook.page.evaluate("() => { AbortSignal.timeout = globalThis.patient; }")
+    assert any("Failed to initialize model" in text for text in notebook.messages)
+    notebook.execute("late.q = late.clip(late.home + 0.2)")
+    alone.wait_for(np.degrees(notebook.value("late.q")))
     notebook.page.evaluate("jupyterapp.commands.execute('notebook:delete-cell')")
 
 

@@ -5,7 +5,8 @@
  * The sliders are ipywidgets' own. Their models are set here without a word to the kernel; what
  * the user does goes to the kernel as the newest state only.
  */
-import { sharedPage } from "../../view/static/page.js";
+import { keepListening } from "./listening.js";
+import { sharedPage } from "./page.js";
 
 const HANDS = Symbol.for("dhlab.hands");
 const PATIENCE = 200; // ms that a planned motion may take to find a viewer
@@ -207,6 +208,7 @@ export default () => {
   let ready = null;
   return {
     initialize({ model }) {
+      keepListening(model).catch(() => {}); // a page without a kernel has nothing to hear
       const find = (id) => model.widget_manager.get_model(id);
       model.on("msg:custom", ({ text }) => text && copy(text));
       ready = (async () => {

@@ -1,10 +1,11 @@
 """A page without a kernel in a real browser, from disk, with the network refused."""
 
+from contextlib import contextmanager
+
 import numpy as np
 import pytest
 
 from dhlab import View, animate, dh, robot
-
 from dhlab.models import upper_limb
 
 from .lab import PAGE, Shown
@@ -89,18 +90,20 @@ def file(arm, tmp_path_factory):
 
 @pytest.fixture
 def opened(browser, file):
-    yield from open_(browser, file, viewport={"width": 1280, "height": 800})
+    with open_(browser, file, viewport={"width": 1280, "height": 800}) as opened:
+        yield opened
 
 
 @pytest.fixture
 def on_a_phone(browser, file):
-    phone = {"width": 390, "height": 844}
-    yield from open_(
-        browser, file, viewport=phone, is_mobile=True, has_touch=True, device_scale_factor=2
-    )
+    phone = {"is_mobile": True, "has_touch": True, "device_scale_factor": 2}
+    with open_(browser, file, viewport={"width": 390, "height": 844}, **phone) as opened:
+        yield opened
 
 
+@contextmanager
 def open_(browser, file, **options):
+    """Open a saved page; it must have asked for nothing and complained of nothing."""
     page = browser.new_page(**options)
     opened = Opened(page)
     page.goto(file.as_uri())
@@ -247,27 +250,18 @@ def test_an_injected_script_would_not_run(opened):
 
 def test_the_page_agrees_with_python_wherever_the_joints_are(browser, tmp_path):
     limb = upper_limb()
-    limb.look = "user"
-    path = View("limb").add(limb).save_html(tmp_path / "limb.html", HOSTILE)
+    view = View("limb").add(limb)
+    path_of = {node.joint.key: path for path, node in view.nodes.items() if node.joint}
     keys = [key for component in limb.components for key in component.keys]
-    variables = {key: f"arm{link}" for key, link in zip(keys, links(limb), strict=True)}
     rng = np.random.default_rng(1)
-    for opened in open_(browser, path):
-        for _ in range(10):
-            q = rng.uniform(*limb.limits.T)
-            opened.evaluate(f"{PAGE}.publish({dict(zip(keys, q, strict=True))}, 'test')")
-            page = np.array([opened.pose(path) for path in variables.values()])
+    with open_(browser, view.save_html(tmp_path / "limb.html", HOSTILE)) as opened:
+        for q in rng.uniform(*limb.limits.T, (10, limb.n)):
+            moved = dict(zip(keys, q.tolist(), strict=True))
+            opened.evaluate(f"{PAGE}.publish({moved}, 'test')")
+            page = np.array([opened.pose(path_of[key]) for key in keys])
             frames = limb.frames(q)
-            python = [frames[name] for name in frames if not name.endswith("grasper")]
+            python = [frames[name] for name in frames if not name.endswith("/grasper")]
             assert np.abs(page - python).max() < 1e-6
-
-
-def links(limb):
-    """Paths of the limb's joints behind the arm's name, in the order of q."""
-    nodes = View().add(limb).nodes
-    paths = {node.joint.key: path for path, node in nodes.items() if node.joint}
-    keys = [key for component in limb.components for key in component.keys]
-    return [paths[key].removeprefix("arm") for key in keys]
 
 
 def test_groups_fold(opened):

@@ -9,7 +9,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 TOP = {
-    ".ci", ".gitignore", "LICENSE", "README.md",
+    ".ci", ".github", ".gitignore", "LICENSE", "README.md",
     "dhlab", "exercises", "notebooks", "pyproject.toml", "tests",
 }  # fmt: skip
 

@@ -7,13 +7,10 @@ from typing import Any
 import ipywidgets
 
 from dhlab.kinematics.chain import Chain
-from dhlab.panel.reading import Reading, joint_label, reading
 from dhlab.panel.slider import JointSlider
 from dhlab.scene.component import Component
 from dhlab.scene.node import Color
-
-SHORTEST_REACH = 0.1
-"""Length [m] that a prismatic joint without limits is given at least."""
+from dhlab.scene.reading import Reading, component_readings, joint_label
 
 UNIT_CLASSES = {"°": "dhlab-degrees", "mm": "dhlab-millimetres", "m": "dhlab-metres"}
 
@@ -108,16 +105,6 @@ def make_group(component: Component, token: str, first: int, *, folded: bool = F
     )
     made_for = (component, component.name, component.color, component.chain)
     return Group(*made_for, readings, sliders, title, rows, box)
-
-
-def component_readings(component: Component) -> tuple[Reading, ...]:
-    """Return how each variable of a component reads, at its present configuration."""
-    chain = component.chain
-    reach = max([SHORTEST_REACH, *(abs(x) for row in chain.rows for x in (row.a, row.d))])
-    joints = zip(chain.kinds, chain.limits, component.q, chain.home, strict=True)
-    return tuple(
-        reading(kind, limits, reach, (float(q), float(home))) for kind, limits, q, home in joints
-    )
 
 
 def _sliders(

@@ -5,7 +5,7 @@ from typing import Any
 import ipywidgets
 from traitlets import Bunch
 
-from dhlab.panel.reading import Reading
+from dhlab.scene.reading import Reading
 
 
 class JointSlider(ipywidgets.FloatSlider):

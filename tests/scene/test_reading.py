@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy import inf, pi
 
-from dhlab.panel.reading import joint_label, reading
+from dhlab.scene.reading import joint_label, reading
 
 angles = st.floats(-10, 10)
 kinds = st.sampled_from(["r", "p"])

@@ -2,6 +2,8 @@
  * The page's end of one view's channel: it keeps the scene, which all outputs of the view show,
  * and asks for a snapshot when a message is missing or bad. This is the module's public face.
  */
+import { encode } from "./encode.js";
+import { keepPresent } from "./keeping.js";
 import { multiply } from "./motion.js";
 import { sharedPage } from "./page.js";
 import { Scene } from "./scene.js";
@@ -24,6 +26,7 @@ export class Connection {
     this.#load();
     this.#model.send({ ask: "scene", have: this.scene.sequence });
     model.on("change:scene", this.#reload);
+    keepPresent(model, () => ({ scene: encode(this.scene) })).catch(() => {});
     sharedPage().views.push(this);
   }
 

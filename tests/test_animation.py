@@ -219,6 +219,15 @@ def test_a_point_that_rests_leaves_no_trace():
     assert list(b.describe()) == ["block"]
 
 
+def test_a_trace_has_the_colour_of_its_block():
+    b = cube(1, color="#d55e00")
+    pair = block_complex(cube(1, name="a", color="#d55e00"), cube(1, name="b", color="#d55e00"))
+    animate([0, 1], {b: lambda t: (t, 0, 0), pair: lambda t: (0, t, 0)}, trace=True)
+    for handle in (b, pair):
+        (line,) = [n for path, n in handle.describe().items() if ".traces/" in path]
+        assert line.style.color == b.color
+
+
 def test_the_next_motion_clears_the_traces_of_the_last():
     b = cube(1)
     animate([0, 1], {b: lambda t: (t, 0, 0)}, trace=True)

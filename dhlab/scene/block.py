@@ -108,6 +108,9 @@ class Block(Placed):
         """Indices of the corners of each face, from 0; none for a line."""
         return () if isinstance(self._shape, Lines) else self._shape.faces
 
+    def _trail_color(self) -> Color:
+        return self._color or BLOCK
+
     def _nodes(self, path: str, color: Color | None = None) -> dict[str, Node]:
         default = INK if isinstance(self._shape, Lines) else BLOCK
         style = Style(
@@ -172,6 +175,9 @@ class BlockComplex(Placed):
     def carries_at(self, child: Handle) -> NDArray[np.float64]:
         """Pose in the world of what carries a component: the complex itself."""
         return self.world_pose
+
+    def _trail_color(self) -> Color:
+        return self.color or BLOCK
 
     def _store(self, checked: Any) -> None:
         shared = {key: value for key, value in checked.items() if key in PAINT}

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from dhlab.arrays import as_placement, as_poses
 from dhlab.scene.handle import Handle
 from dhlab.scene.marks import Trail
-from dhlab.scene.node import IDENTITY, Clock, Curve, Node
+from dhlab.scene.node import IDENTITY, Clock, Color, Curve, Node
 from dhlab.scene.palette import INK
 from dhlab.scene.setting import Setting
 
@@ -83,7 +83,10 @@ class Placed(Handle):
         carrier = IDENTITY if self._parent is None else self._parent.carries_at(self)
         curve = self._curve
         poses = self._pose[None] if curve is None or curve.clock is not clock else curve.samples
-        return [Trail("origin", (carrier @ poses)[:, :3, 3], INK)]
+        return [Trail("origin", (carrier @ poses)[:, :3, 3], self._trail_color())]
+
+    def _trail_color(self) -> Color:
+        return INK
 
     def _store(self, checked: Any) -> None:
         super()._store(checked)

@@ -90,7 +90,7 @@ class Desk:
 
     def open(self, *cells: str) -> Notebook:
         """Open a new notebook with these cells in a page of its own, with a kernel of its own."""
-        page = self._browser.new_page(viewport={"width": 1200, "height": 900})
+        page = self._browser.new_page(viewport={"width": 1280, "height": 1200})
         return Notebook(self._lab, page, self._lab.write(*cells))
 
 

@@ -1,6 +1,6 @@
 """A mesh: corners in space and the flat faces between them."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import Any, NamedTuple, TypeVar
 
@@ -72,15 +72,11 @@ class Mesh:
         vertices = as_points(self.vertices, "the vertices of a mesh")
         faces = as_faces(self.faces, len(vertices))
         triangles, normals = triangulate(vertices, faces)
-        checked = {
-            "vertices": vertices,
-            "faces": faces,
-            "corners": corners_of(faces),
-            "normals": read_only(normals),
-            "_triangles": triangles,
-        }
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
+        self._keep(vertices, faces, corners_of(faces), read_only(normals), triangles)
+
+    def _keep(self, *checked: Any) -> None:
+        for slot, value in zip(fields(self), checked, strict=True):
+            object.__setattr__(self, slot.name, value)
 
     def __repr__(self) -> str:
         count = len(self.faces)
@@ -147,7 +143,12 @@ class Mesh:
             Pose of this mesh's coordinates in those of the result.
         """
         T = as_pose(T, "the pose of a mesh")
-        return Mesh(self.vertices @ T[:3, :3].T + T[:3, 3], self.faces)
+        turned = T[:3, :3].T
+        moved = object.__new__(Mesh)  # its faces are as good as those of this one
+        vertices = read_only(self.vertices @ turned + T[:3, 3])
+        normals = read_only(self.normals @ turned)
+        moved._keep(vertices, self.faces, self.corners, normals, self._triangles)
+        return moved
 
     def merged(self, *others: "Mesh") -> "Mesh":
         """Give one mesh with the vertices and faces of this and the others, in this order.

@@ -4,9 +4,9 @@ Importing this package imports neither ipywidgets nor meshcat; that happens when
 """
 
 from dhlab.view.commands import Backend, Command, Paint, Place, Put, Remove, diff
-from dhlab.view.display import handle_mimebundle
+from dhlab.view.display import handle_mimebundle, show
 from dhlab.view.recording import RecordingBackend
-from dhlab.view.view import View, show
+from dhlab.view.view import View
 
 __all__ = [
     "Backend",

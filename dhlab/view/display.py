@@ -1,10 +1,33 @@
-"""How a handle shows itself as the last expression of a cell."""
+"""How handles are shown: by a call, or as the last expression of a cell."""
 
 import sys
 from typing import Any
 
 from dhlab.scene.handle import Handle
 from dhlab.view.view import WIDGET, View
+
+
+def show(*handles: Handle, **options: Any) -> View:
+    """Give a new view of some handles: a cell that ends in this call shows it.
+
+    Parameters
+    ----------
+    *handles : Handle
+        Coordinate systems, blocks, robots.
+    **options
+        Of the `View`.
+
+    Returns
+    -------
+    view : View
+
+    Examples
+    --------
+    >>> from dhlab.scene.csys import Csys
+    >>> show(Csys(name="a"), Csys(name="b"), height=300)
+    View('view': a, b)
+    """
+    return View(**options).add(*handles)
 
 
 def handle_mimebundle(handle: Handle, include: Any = None, exclude: Any = None) -> dict[str, Any]:

@@ -26,6 +26,7 @@ from dhlab.scene.node import Node
 from dhlab.scene.reading import Reading, component_readings, joint_label
 from dhlab.scene.robot import Robot
 from dhlab.view import assets
+from dhlab.view.place import checked_path
 from dhlab.view.wire import Wire
 
 POLICY = (
@@ -61,7 +62,7 @@ def save(
     InputError
         Nothing is shown, or no such page can be written there; then nothing is.
     """
-    place = _checked_path(path)
+    place = checked_path(path, "a page", "limb.html")
     if not isinstance(title, str) or not title.strip():
         raise InputError(f"the title of a page must be text, not empty, got {title!r}")
     if not handles:
@@ -109,26 +110,6 @@ def components(handles: Iterable[Handle]) -> tuple[Component, ...]:
     """Return the simple robots among handles, each once, in the order of the handles."""
     robots = (handle for handle in handles if isinstance(handle, Robot))
     return tuple(dict.fromkeys(component for robot in robots for component in robot.components))
-
-
-def _checked_path(path: str | os.PathLike[str]) -> Path:
-    """Return where a page may be written.
-
-    Examples
-    --------
-    >>> _checked_path("no/such/folder/limb.html")
-    Traceback (most recent call last):
-    ...
-    dhlab.errors.InputError: there is no folder 'no/such/folder' for 'limb.html'
-    """
-    if not isinstance(path, str | os.PathLike) or not os.fspath(path):
-        raise InputError(f"a page needs a path such as 'limb.html', got {path!r}")
-    place = Path(path)
-    if place.is_dir():
-        raise InputError(f"{str(place)!r} is a folder; a page needs the path of a file in it")
-    if not place.parent.is_dir():
-        raise InputError(f"there is no folder {str(place.parent)!r} for {place.name!r}")
-    return place
 
 
 def _robot(component: Component) -> dict[str, Any]:

@@ -5,6 +5,7 @@ its own, so that a cell run fifty times would leave fifty of them; the kernel kn
 and closes the ones that were replaced.
 """
 
+import sys
 from functools import cache
 from typing import Any, Protocol
 
@@ -70,3 +71,15 @@ def outputs_of(shell: Any) -> Outputs:
     shell : InteractiveShell
     """
     return Outputs(shell)
+
+
+def shell_with_kernel() -> Any:
+    """Return the IPython shell if there is a kernel behind it, else None; imports nothing.
+
+    Returns
+    -------
+    shell : InteractiveShell or None
+    """
+    ipython = sys.modules.get("IPython")
+    shell = None if ipython is None else ipython.get_ipython()
+    return shell if getattr(shell, "kernel", None) is not None else None

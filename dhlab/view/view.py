@@ -1,7 +1,6 @@
 """A view: it shows handles, follows them, and sends only what changed."""
 
 import os
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Self
@@ -11,12 +10,15 @@ from dhlab.errors import InputError
 from dhlab.scene.handle import CHANGES, Handle
 from dhlab.scene.node import Node
 from dhlab.view.commands import Backend
-from dhlab.view.outputs import outputs_of
+from dhlab.view.outputs import outputs_of, shell_with_kernel
 from dhlab.view.pace import Pace
 from dhlab.view.picture import Picture
+from dhlab.view.place import checked_path
 from dhlab.view.recording import RecordingBackend
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from dhlab.view.widget import SceneWidget, WidgetBackend
 
 BACKGROUNDS = ("light", "dark")
@@ -211,6 +213,43 @@ class View:
         with CHANGES:
             return save(path, shown, self.handles, self.nodes, self._options)
 
+    def save_png(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        width: int = 900,
+        height: int = 600,
+        seen_from: "str | ArrayLike" = "first",
+    ) -> Path:
+        """Save a picture of what is seen, painted without a browser.
+
+        Parameters
+        ----------
+        path : str or path
+            An existing file is written over.
+        width, height : int [pixel]
+        seen_from : {'first', 'front', 'top', 'side', 'isometric'} or array_like, shape (3,)
+            From where one looks: a direction from the scene to the camera.
+
+        Returns
+        -------
+        path : Path
+
+        Raises
+        ------
+        InputError
+            For a path, a size or a direction that cannot be; then nothing is written.
+        """
+        from dhlab.view.still import still
+
+        place = checked_path(path, "a picture", "limb.png")
+        background = str(self._options["background"])
+        png = still(
+            self.nodes, width=width, height=height, seen_from=seen_from, background=background
+        )
+        place.write_bytes(png)
+        return place
+
     def close(self) -> None:
         """Close the view's widget and the pictures it shows; it can be shown again."""
         with CHANGES:
@@ -226,7 +265,7 @@ class View:
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
         """What a cell that ends in this view shows: the picture, or else a line of text."""
         bundle: dict[str, Any] = {"text/plain": repr(self)}
-        shell = _shell_with_kernel()
+        shell = shell_with_kernel()
         if shell is not None and (self._backend is None or self._shown is not None):
             bundle[WIDGET] = {
                 "version_major": 2,
@@ -240,33 +279,3 @@ class View:
         """Send what changed in time; a recording view waits until it is looked at."""
         if self._backend is not None and not isinstance(self._backend, RecordingBackend):
             self._pace.ask()
-
-
-def show(*handles: Handle, **options: Any) -> View:
-    """Give a new view of some handles: a cell that ends in this call shows it.
-
-    Parameters
-    ----------
-    *handles : Handle
-        Coordinate systems, blocks, robots.
-    **options
-        Of the `View`.
-
-    Returns
-    -------
-    view : View
-
-    Examples
-    --------
-    >>> from dhlab.scene.csys import Csys
-    >>> show(Csys(name="a"), Csys(name="b"), height=300)
-    View('view': a, b)
-    """
-    return View(**options).add(*handles)
-
-
-def _shell_with_kernel() -> Any:
-    """Return the IPython shell if there is a kernel behind it, else None; imports nothing."""
-    ipython = sys.modules.get("IPython")
-    shell = None if ipython is None else ipython.get_ipython()
-    return shell if getattr(shell, "kernel", None) is not None else None

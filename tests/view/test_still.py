@@ -1,5 +1,6 @@
 """A picture without a browser: what is drawn is where it belongs."""
 
+import re
 from io import BytesIO
 
 import matplotlib.image
@@ -7,6 +8,7 @@ import numpy as np
 import pytest
 
 from dhlab import InputError, csys, cube, models, polyline
+from dhlab.view import View
 from dhlab.view.still import still
 
 
@@ -80,3 +82,32 @@ def test_every_look_of_the_limb_can_be_painted():
 def test_a_picture_that_cannot_be_is_refused(options, message):
     with pytest.raises(InputError, match=message):
         still({}, **options)
+
+
+def test_a_view_saves_its_picture(tmp_path):
+    view = View("bench", background="dark").add(cube(1, color="#ff0000"))
+    place = view.save_png(tmp_path / "bench.png", width=120, height=80, seen_from="front")
+    image = pixels(place.read_bytes())
+    assert place == tmp_path / "bench.png"
+    assert image.shape == (80, 120, 3)
+    assert image[0, 0].max() < 0.2
+    assert image[40, 60, 0] > 0.4
+    view.save_png(str(place), width=60, height=40)
+    assert pixels(place.read_bytes()).shape == (40, 60, 3)
+
+
+@pytest.mark.parametrize(
+    ("path", "options", "what"),
+    [
+        ("", {}, "a picture needs a path such as 'limb.png', got ''"),
+        (".", {}, "'.' is a folder; a picture needs the path of a file in it"),
+        ("none/such.png", {}, "there is no folder 'none' for 'such.png'"),
+        ("a.png", {"seen_from": "below"}, "seen_from must be a 3-vector or one of first, front"),
+        ("a.png", {"width": 2}, "width"),
+    ],
+)
+def test_a_picture_that_cannot_be_saved_is_refused(tmp_path, monkeypatch, path, options, what):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(InputError, match=re.escape(what)):
+        View().add(cube(1)).save_png(path, **options)
+    assert list(tmp_path.iterdir()) == []

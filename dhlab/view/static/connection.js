@@ -41,7 +41,7 @@ export class Connection {
 
   /** Show the scene in `element`; close what comes back when the output goes. */
   open(element, options) {
-    const stage = new Stage(this.scene, element, options);
+    const stage = new Stage(this.scene, element, { name: this.name, ...options });
     this.stages.push(stage);
     return {
       close: () => {

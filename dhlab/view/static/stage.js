@@ -5,6 +5,7 @@
 import { Camera, DIRECTIONS } from "./camera.js";
 import { createMeshcat, THREE } from "./meshcat.js";
 import { PlayerBar } from "./playerbar.js";
+import { savePicture } from "./saving.js";
 import { STYLE } from "./style.js";
 import { Surroundings, contrastOf, paintBackground, paintOf } from "./surroundings.js";
 import { actionOfKey, createToolbar } from "./toolbar.js";
@@ -23,8 +24,9 @@ export class Stage {
   #framed = false;
   #observers = [];
 
-  constructor(scene, element, { height, background, grid, controls }) {
+  constructor(scene, element, { name, height, background, grid, controls }) {
     this.scene = scene;
+    this.name = name;
     this.#build(element, height);
     this.meshcat = createMeshcat(this.pane, () => this.draw());
     this.viewer = this.meshcat.viewer;
@@ -121,7 +123,8 @@ export class Stage {
     else if (name === "full") this.#toggleFullScreen();
     else if (name === "background") {
       this.setBackground(this.background === "light" ? "dark" : "light");
-    } else this.look(DIRECTIONS[name]);
+    } else if (name === "save") savePicture(this.picture(), this.name);
+    else this.look(DIRECTIONS[name]);
   }
 
   /** Fit the scene, seen from a direction or from where the camera stands. */

@@ -20,7 +20,7 @@ export const STYLE = `
   border: 1px solid var(--line); border-radius: 6px; background: var(--panel);
   backdrop-filter: blur(6px);
 }
-.dhlab-toolbar { top: 8px; right: 8px; opacity: 0.66; transition: opacity 0.15s; }
+.dhlab-toolbar { flex-wrap: wrap; margin-left: 8px; top: 8px; right: 8px; opacity: 0.66; transition: opacity 0.15s; }
 .dhlab-view:hover .dhlab-toolbar, .dhlab-toolbar:focus-within { opacity: 1; }
 .dhlab-player { left: 8px; right: 8px; bottom: 8px; gap: 4px; padding: 2px 6px; }
 .dhlab-player[hidden] { display: none; }

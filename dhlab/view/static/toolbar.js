@@ -17,6 +17,7 @@ const ICONS = {
   fit: '<path d="M3 7V3h4M13 3h4v4M17 13v4h-4M7 17H3v-4"/><circle cx="10" cy="10" r="2.6" class="lit"/>',
   full: '<path d="M8 3H3v5M12 17h5v-5M3 3l5.5 5.5M17 17l-5.5-5.5"/>',
   background: '<circle cx="10" cy="10" r="6.5"/><path class="lit" d="M10 3.5a6.5 6.5 0 0 1 0 13Z"/>',
+  save: '<path d="M2.5 6h3.2l1.3-2h6l1.3 2h3.2v10h-15Z"/><circle cx="10" cy="10.8" r="2.8" class="lit"/>',
 };
 
 const TITLES = {
@@ -27,9 +28,10 @@ const TITLES = {
   fit: "Fit the scene",
   full: "Full screen",
   background: "Light or dark background",
+  save: "Save the picture as PNG",
 };
 
-/** A toolbar whose buttons call `act(name)`; the keys 1 to 7 do the same while the view has focus. */
+/** A toolbar whose buttons call `act(name)`; the keys 1 to 8 do the same while the view has focus. */
 export function createToolbar(act) {
   const bar = document.createElement("div");
   bar.className = "dhlab-toolbar";

@@ -94,7 +94,12 @@ def diff(old: Mapping[str, Node], new: Mapping[str, Node]) -> list[Command]:
     commands: list[Command] = [Remove(path) for path in gone if _parent(path) not in below]
     for path, node in new.items():
         before = old.get(path)
-        if before is not node:
+        if before is node:
+            continue
+        if before is not None and same_but_for_place(before, node):
+            if not same_place(before, node):
+                commands.append(Place(path, node))
+        else:
             commands.extend(_changes(path, before, node))
     return commands
 
@@ -122,14 +127,14 @@ def apply(nodes: dict[str, Node], batch: Iterable[Command]) -> None:
 
 
 def _changes(path: str, before: Node | None, node: Node) -> list[Command]:
-    if before is None:
+    if before is None or not same_body(before, node):
         return [Put(path, node)]
-    places: list[Command] = [] if same_place(before, node) else [Place(path, node)]
-    if same_but_for_place(before, node):
-        return places
-    if not same_body(before, node):
-        return [Put(path, node)]
-    return places if same_paint(before, node) else [*places, Paint(path, node)]
+    commands: list[Command] = []
+    if not same_place(before, node):
+        commands.append(Place(path, node))
+    if not same_paint(before, node):
+        commands.append(Paint(path, node))
+    return commands
 
 
 def _placed(node: Node, place: Node) -> Node:

@@ -304,5 +304,5 @@ def test_a_cell_run_again_leaves_neither_widgets_nor_links_behind(notebook, slid
         notebook.page.wait_for_timeout(300)
     Sliders(notebook)
     assert notebook.value("open_widgets()") <= before
-    assert notebook.page.evaluate("globalThis[Symbol.for('dhlab.hands')].size") <= 2
+    notebook.page.wait_for_function("globalThis[Symbol.for('dhlab.hands')].size <= 2")
     assert not [text for text in notebook.messages if text.startswith("error")]

@@ -69,7 +69,7 @@ class Wire:
                     message.remove(path)
         header, buffer = message.finish()
         apply(self.nodes, commands)
-        if any(isinstance(command, Remove) for command in commands):
+        if "removes" in header:
             self._numbers = {path: self._numbers[path] for path in self.nodes}
         return header, buffer
 

@@ -70,15 +70,16 @@ def measure() -> Iterator[Row]:
         bare = page.locator(".bare .noUi-handle").first
         page.wait_for_timeout(1000)
         notebook.evaluate(PREPARE)
+        drawings = []
         for count in range(DRAGS):
             for handle in (joint, bare):
                 drag(page, handle, 3 if count % 2 else -3)
+            drawings.append(notebook.evaluate("bench.draw()"))
         times = notebook.evaluate("[bench.pose, bench.picture, bench.slider]")
-        drawing = median([notebook.evaluate("bench.draw()") for _ in range(DRAGS // 2)])
     for name, seen in zip(("pose", "picture", "slider"), times, strict=True):
         if len(seen) < 0.8 * DRAGS:
             raise RuntimeError(f"{len(seen)} of {DRAGS} drags were seen on the {name}")
-    pose, picture, slider = map(median, times)
+    pose, picture, slider, drawing = map(median, [*times, drawings])
     beside = slider, "slider-kernel-slider"
     yield Row("drag to the new pose in three.js", pose, *beside)
     yield Row("drag to the picture, drawn to its last pixel", picture, *beside)

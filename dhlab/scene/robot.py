@@ -20,7 +20,7 @@ from dhlab.scene.handle import CHANGES, Handle, unused_name
 from dhlab.scene.marks import Trail
 from dhlab.scene.node import IDENTITY, Clock, Node
 from dhlab.scene.robot_frames import branches_of, frame_at, frames_of, trails_of
-from dhlab.scene.robot_nodes import Picture
+from dhlab.scene.robot_nodes import Description
 from dhlab.scene.robot_settings import Common, Handed, Joined, Own
 from dhlab.scene.robot_text import robot_html, robot_text
 from dhlab.scene.setting import Setting, check_settings, settings_of
@@ -43,7 +43,7 @@ class Robot(Handle):
     in it, each to be set alone.
     """
 
-    __slots__ = ("_attached", "_mechanism", "_model", "_own", "_picture")
+    __slots__ = ("_attached", "_description", "_mechanism", "_model", "_own")
 
     kind = "robot"
 
@@ -70,7 +70,7 @@ class Robot(Handle):
         self._own = Component(self, chain)
         self._attached: list[tuple[int, Robot]] = []
         self._mechanism: Mechanism | None = None
-        self._picture: Picture | None = None
+        self._description: Description | None = None
         self._model = "plain"
 
     @property
@@ -339,12 +339,12 @@ class Robot(Handle):
 
     def _forget(self) -> None:
         super()._forget()
-        self._mechanism = self._picture = None
+        self._mechanism = self._description = None
 
     def _nodes(self, path: str) -> dict[str, Node]:
-        if self._picture is None or self._picture.path != path:
-            self._picture = Picture(self, path)
-        return self._picture.nodes()
+        if self._description is None or self._description.path != path:
+            self._description = Description(self, path)
+        return self._description.nodes()
 
     def check_samples(self, samples: ArrayLike, what: str) -> NDArray[np.float64]:
         """Check the configurations of a motion, shape (steps, n), and put them on the limits."""

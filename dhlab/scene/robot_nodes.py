@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from dhlab.scene.robot import Robot
 
 
-class Picture:
+class Description:
     """The nodes of a robot and of all that is attached to it, until more than a joint changes.
 
     Parameters
@@ -25,15 +25,16 @@ class Picture:
 
     def __init__(self, robot: Robot, path: str) -> None:
         self.path = path
-        self._joints = tuple(joint_paths(robot, path))
+        joints = joint_paths(robot, path)
+        self._joints = [(c, c.chain.offset, c.n * (None,), paths) for c, paths in joints]
         self._nodes = robot_nodes(robot, path)
 
     def nodes(self) -> dict[str, Node]:
         """Return the nodes as the joints are now; those of joints that rest stay the same."""
         nodes = self._nodes
-        for component, paths in self._joints:
-            values = (component.q + component.chain.offset).tolist()
-            curves = component.curves or component.n * (None,)
+        for component, offset, still, paths in self._joints:
+            values = (component.q + offset).tolist()
+            curves = component.curves or still
             for path, value, curve in zip(paths, values, curves, strict=True):
                 node = nodes[path]
                 if node.value != value or node.curve is not curve:
@@ -42,9 +43,10 @@ class Picture:
 
 
 def joint_paths(robot: Robot, path: str) -> Iterator[tuple[Component, list[str]]]:
-    """Go through all components and the paths of their joints' nodes."""
+    """Go through all components that have joints, and the paths of the joints' nodes."""
     frames = list(accumulate(range(1, robot.own.n + 1), "{}/{}".format, initial=path))
-    yield robot.own, frames[1:]
+    if robot.own.n:
+        yield robot.own, frames[1:]
     for at, child in robot.joints_at:
         yield from joint_paths(child, f"{frames[at]}/{child.name}")
 

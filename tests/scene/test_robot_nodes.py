@@ -1,4 +1,4 @@
-"""What a robot remembers of its picture is what it would draw anew."""
+"""What a robot remembers of its description is what it would say anew."""
 
 import numpy as np
 import pytest

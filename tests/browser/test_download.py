@@ -1,12 +1,14 @@
 """What the buttons of a view save."""
 
+import base64
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
-from .test_view import ORANGE, SETUP, near
+from .test_view import ORANGE, SETUP, middle, near
 
 
 @pytest.fixture(scope="module")
@@ -56,3 +58,52 @@ def test_the_buttons_fit_into_a_narrow_view(notebook):
         return [bar.left - left, right - bar.right];
     })()"""
     assert min(shown.evaluate(box)) >= 0
+
+
+PLAYED_BACK = """async (base64) => {
+  const video = document.createElement("video");
+  video.src = `data:video/webm;base64,${base64}`;
+  video.muted = true;
+  await new Promise((loaded) => { video.onloadeddata = loaded; video.load(); });
+  const { duration, videoWidth: width, videoHeight: height } = video;
+  const canvas = Object.assign(document.createElement("canvas"), { width, height });
+  const context = canvas.getContext("2d", { willReadFrequently: true });
+  const pictures = [];
+  for (const time of [0, duration]) {
+    await new Promise((there) => { video.onseeked = there; video.currentTime = time; });
+    context.drawImage(video, 0, 0);
+    pictures.push(canvas.toDataURL("image/png"));
+  }
+  return { duration, pictures };
+}"""
+
+
+def decoded(url):
+    png = base64.b64decode(url.removeprefix("data:image/png;base64,"))
+    return np.asarray(Image.open(BytesIO(png)).convert("RGB"))
+
+
+def test_a_button_films_the_planned_motion_from_its_first_to_its_last_instant(notebook, browser):
+    shown = notebook.view("Öl&b: c")
+    notebook.execute(
+        "box.color = '#d55e00'\n"
+        "animate(np.linspace(0, 1.2, 25), {box: lambda t: transl((0.6 * t - 0.36, 0, 0))})"
+    )
+    shown.wait_until("view.scene.players.length === 1 && !view.scene.players[0].playing")
+    shown.evaluate("view.scene.players[0].setLoop(true)")
+    name, path = saved(shown, "film")
+    assert name == "Öl_b_ c.webm"
+    film = path.read_bytes()
+    assert film[:4] == bytes.fromhex("1a45dfa3")
+    cinema = browser.new_page()
+    back = cinema.evaluate(PLAYED_BACK, base64.b64encode(film).decode())
+    cinema.close()
+    assert back["duration"] == pytest.approx(2, abs=0.8)
+    first, last = map(decoded, back["pictures"])
+    assert first[5, 5].min() > 200
+    assert first.shape[1] % 2 == 0
+    ways = [middle(near(picture, ORANGE, tolerance=90))[0] for picture in (first, last)]
+    assert ways[1] - ways[0] > 0.1 * first.shape[1]
+    shown.wait_until("stage.playerBar.filmButton.getAttribute('aria-pressed') === 'false'")
+    assert shown.evaluate("view.scene.players[0].loop")
+    shown.evaluate("view.scene.players[0].setLoop(false)")

@@ -6,6 +6,7 @@ const PAUSE = '<path class="lit" d="M5.5 4h3v12h-3ZM11.5 4h3v12h-3Z"/>';
 const BACK = '<path class="lit" d="M13.5 5v10L7 10Z"/><path d="M5.5 5v10"/>';
 const FORWARD = '<path class="lit" d="M6.5 5v10l6.5-5Z"/><path d="M14.5 5v10"/>';
 const LOOP = '<path d="M5 9V8a2 2 0 0 1 2-2h8M12.5 3.5 15 6l-2.5 2.5M15 11v1a2 2 0 0 1-2 2H5M7.5 16.5 5 14l2.5-2.5"/>';
+const FILM = '<path d="M3 6h9v8.5h-9Z"/><path class="lit" d="M12 9.5l5-2.5v6.5l-5-2.5Z"/>';
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 const GRAIN = 1000;
 
@@ -13,7 +14,8 @@ export class PlayerBar {
   #player = null;
   #leave = () => {};
 
-  constructor() {
+  /** `film()` starts a film of the motion or ends it; without it there is no button for that. */
+  constructor(film) {
     this.element = document.createElement("div");
     this.element.className = "dhlab-player";
     this.element.setAttribute("role", "group");
@@ -23,6 +25,10 @@ export class PlayerBar {
     this.backButton = iconButton(BACK, "Step back");
     this.forwardButton = iconButton(FORWARD, "Step forward");
     this.loopButton = iconButton(LOOP, "Repeat");
+    this.filmButton = iconButton(FILM, "Save the motion as a film");
+    this.filmButton.dataset.action = "film";
+    this.filmButton.hidden = !film;
+    this.filmButton.addEventListener("click", () => film());
     this.slider = createSlider();
     this.readout = document.createElement("output");
     this.speed = createSpeeds();
@@ -35,6 +41,7 @@ export class PlayerBar {
       this.readout,
       this.speed,
       this.loopButton,
+      this.filmButton,
     );
   }
 
@@ -46,6 +53,12 @@ export class PlayerBar {
     this.element.hidden = player === null;
     this.#leave = player ? player.subscribe(() => this.#show()) : () => {};
     if (player) this.#show();
+  }
+
+  showFilming(filming) {
+    this.filmButton.setAttribute("aria-pressed", String(filming));
+    const title = filming ? "End the film and save it" : "Save the motion as a film";
+    setIcon(this.filmButton, FILM, title);
   }
 
   toggle() {

@@ -3,6 +3,7 @@
  * while it can be seen, and takes everything with it when it closes.
  */
 import { Camera, DIRECTIONS } from "./camera.js";
+import { Film, filmKind } from "./film.js";
 import { createMeshcat, THREE } from "./meshcat.js";
 import { PlayerBar } from "./playerbar.js";
 import { savePicture } from "./saving.js";
@@ -23,6 +24,7 @@ export class Stage {
   #points = [];
   #framed = false;
   #observers = [];
+  #film = null;
 
   constructor(scene, element, { name, height, background, grid, controls }) {
     this.scene = scene;
@@ -105,17 +107,33 @@ export class Stage {
     this.viewer.renderer.shadowMap.needsUpdate = this.#stale.shadows;
     this.#stale.shadows = false;
     this.viewer.render();
+    this.#film?.take();
   }
 
   /** The present picture, background included, without the bars: a canvas to keep. */
   picture() {
     const { width, height } = this.canvas;
     const kept = Object.assign(document.createElement("canvas"), { width, height });
-    const context = kept.getContext("2d");
-    paintBackground(context, this.background, width, height);
     this.render();
-    context.drawImage(this.canvas, 0, 0);
+    this.#copy(kept.getContext("2d"), width, height);
     return kept;
+  }
+
+  /** Film the planned motion in the player bar; while it is filmed, end the film there. */
+  film() {
+    if (this.#film) return void this.#film.end();
+    this.#film = new Film(this.scene.players.at(-1), {
+      width: this.canvas.width,
+      height: this.canvas.height,
+      name: this.name,
+      draw: () => this.render(),
+      copy: (...onto) => this.#copy(...onto),
+      done: () => {
+        this.#film = null;
+        this.playerBar.showFilming(false);
+      },
+    });
+    this.playerBar.showFilming(true);
   }
 
   act(name) {
@@ -146,6 +164,7 @@ export class Stage {
   }
 
   close() {
+    this.#film?.end();
     this.#inSight = false;
     this.scene.observers.delete(this);
     if (this.#frame !== null) cancelAnimationFrame(this.#frame);
@@ -176,7 +195,7 @@ export class Stage {
     this.notice.className = "dhlab-notice";
     this.notice.textContent = LOST;
     this.notice.hidden = true;
-    this.playerBar = new PlayerBar();
+    this.playerBar = new PlayerBar(filmKind() && (() => this.film()));
     const toolbar = createToolbar((name) => this.act(name));
     this.element.append(style, this.pane, this.playerBar.element, this.caption, toolbar, this.notice);
     element.append(this.element);
@@ -260,6 +279,12 @@ export class Stage {
   #fitPoints() {
     if (this.#points.length) return this.#points;
     return [new THREE.Vector3(-1, -1, 0), new THREE.Vector3(1, 1, 1)];
+  }
+
+  /** Copy what has just been drawn, in the same task. */
+  #copy(context, width, height) {
+    paintBackground(context, this.background, width, height);
+    context.drawImage(this.canvas, 0, 0, width, height);
   }
 
   #toggleFullScreen() {

@@ -28,6 +28,7 @@ export const STYLE = `
   all: unset; box-sizing: border-box; width: 26px; height: 26px; padding: 3px; flex: none;
   border-radius: 4px; cursor: pointer; color: var(--ink);
 }
+.dhlab-view button[hidden] { display: none; }
 .dhlab-view button:hover { background: var(--line); }
 .dhlab-view button:focus-visible { box-shadow: 0 0 0 2px var(--lit); }
 .dhlab-view button[aria-pressed="true"] { background: var(--line); color: var(--lit); }

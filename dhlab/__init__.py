@@ -1,7 +1,8 @@
 """Robot kinematics in a notebook: from a Denavit-Hartenberg row to a moving limb in the cell.
 
-The names below are the whole public face of dhlab; modules behind them may move. The models, and
-what needs a screen (`View`, `show`, `Panel`, `side_by_side`), are loaded when they are first used.
+The names below are the whole public face of dhlab; modules behind them may move. What needs a
+screen (`View`, `show`, `Panel`, `side_by_side`), and what not everybody needs, is loaded when it
+is first used.
 """
 
 import sys
@@ -9,7 +10,6 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from dhlab import shapes
-from dhlab.animation import PlannedMotion, animate, block_motion, robot_motion
 from dhlab.errors import AttachError, DegreesWarning, DhlabError, InputError, LimitError
 from dhlab.kinematics.angles import (
     angvec2r,
@@ -23,10 +23,7 @@ from dhlab.kinematics.angles import (
 from dhlab.kinematics.chain import Chain
 from dhlab.kinematics.dh import DHRow, deg, dh, link_transform
 from dhlab.kinematics.mechanism import Branch, Mechanism
-from dhlab.kinematics.poly3 import trj_poly3
-from dhlab.kinematics.trajectory import Trajectory
 from dhlab.kinematics.transforms import inverse, rotx, roty, rotz, rp2t, transl
-from dhlab.kinematics.typeset import Typeset, typeset
 from dhlab.scene.block import Block, BlockComplex, block_complex, block_merge
 from dhlab.scene.blocks import (
     block,
@@ -51,15 +48,27 @@ from dhlab.shapes import arc
 
 if TYPE_CHECKING:
     from dhlab import models
+    from dhlab.animation import PlannedMotion, animate, block_motion, robot_motion
+    from dhlab.kinematics.poly3 import trj_poly3
+    from dhlab.kinematics.trajectory import Trajectory
+    from dhlab.kinematics.typeset import Typeset, typeset
     from dhlab.panel import Panel, side_by_side
     from dhlab.view import View, show
 
 ON_FIRST_USE = {
     "Panel": "dhlab.panel",
+    "PlannedMotion": "dhlab.animation",
+    "Trajectory": "dhlab.kinematics.trajectory",
+    "Typeset": "dhlab.kinematics.typeset",
     "View": "dhlab.view",
+    "animate": "dhlab.animation",
+    "block_motion": "dhlab.animation",
     "models": "dhlab.models",
+    "robot_motion": "dhlab.animation",
     "show": "dhlab.view",
     "side_by_side": "dhlab.panel",
+    "trj_poly3": "dhlab.kinematics.poly3",
+    "typeset": "dhlab.kinematics.typeset",
 }
 
 __all__ = [

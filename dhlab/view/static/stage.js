@@ -23,6 +23,8 @@ export class Stage {
   #box = new THREE.Box3();
   #points = [];
   #framed = false;
+  /** Before the output is in the page it has no size, and lines would be as wide as the picture. */
+  #sized = false;
   #observers = [];
   #film = null;
 
@@ -100,6 +102,8 @@ export class Stage {
   }
 
   render() {
+    if (!this.#sized) this.#resize();
+    if (!this.#sized) return;
     this.#measure();
     const center = this.#box.isEmpty() ? new THREE.Vector3() : this.#box.getCenter(new THREE.Vector3());
     const radius = this.#box.isEmpty() ? 1 : 0.5 * this.#box.getSize(new THREE.Vector3()).length();
@@ -241,6 +245,7 @@ export class Stage {
   #resize() {
     const { clientWidth: width, clientHeight: height } = this.pane;
     if (width === 0 || height === 0) return;
+    this.#sized = true;
     this.viewer.set_3d_pane_size(width, height);
     this.tree.resize(width, height, this.camera.fov);
     if (!this.#touched) this.look(this.camera.direction, false);

@@ -61,7 +61,8 @@ class Link {
     this.indices = new Map(this.joints.map(([key], index) => [key, index]));
     const page = sharedPage();
     this.page = page;
-    hands().set(model.get("token"), this);
+    this.token = model.get("token");
+    hands().set(this.token, this);
     const unsubscribe = page.subscribe((changes, source) => this.follow(changes, source));
     const typed = sliders.map((slider, index) => {
       const publish = () => this.#setting || this.publish(index, slider.get("value"));
@@ -71,7 +72,7 @@ class Link {
     const take = () => this.take();
     model.on("change:values", take);
     this.close = () => {
-      hands().delete(model.get("token"));
+      if (hands().get(this.token) === this) hands().delete(this.token);
       unsubscribe();
       typed.forEach((stop) => stop());
       model.off("change:values", take);
@@ -185,6 +186,12 @@ class Link {
   }
 }
 
+/** anywidget does not clean up after a widget that is closed while its module still loads. */
+function closeWith(own, link) {
+  own?.once("destroy", link.close);
+  if (own?._closed) link.close();
+}
+
 /** A group's title folds and unfolds it, also while the kernel is busy. */
 function fold(title, layout) {
   const follow = () => layout.set("display", title.get("value") ? null : "none");
@@ -214,9 +221,14 @@ export default () => {
       ready = (async () => {
         const sliders = await Promise.all(model.get("sliders").map(find));
         for (const [title, layout] of model.get("folds")) fold(await find(title), await find(layout));
-        return new Link(model, sliders);
+        const link = new Link(model, sliders);
+        closeWith(await find(model.get("own_id")).catch(() => null), link);
+        return link;
       })();
-      ready.catch((error) => console.error("dhlab: a panel could not find its sliders.", error));
+      ready.catch(async (error) => {
+        const closed = await find(model.get("own_id")).then(() => false, () => true);
+        if (!closed) console.error("dhlab: a panel could not find its sliders.", error);
+      });
       return () => ready.then((link) => link.close());
     },
     render({ el }) {

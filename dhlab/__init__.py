@@ -52,22 +52,31 @@ if TYPE_CHECKING:
     from dhlab.kinematics.poly3 import trj_poly3
     from dhlab.kinematics.trajectory import Trajectory
     from dhlab.kinematics.typeset import Typeset, typeset
+    from dhlab.lessons import Choice, Lesson, Place, Step, configure, move_to, slide, turn
     from dhlab.panel import Panel, side_by_side
     from dhlab.view import View, show
 
 ON_FIRST_USE = {
+    "Choice": "dhlab.lessons",
+    "Lesson": "dhlab.lessons",
     "Panel": "dhlab.panel",
+    "Place": "dhlab.lessons",
     "PlannedMotion": "dhlab.animation",
+    "Step": "dhlab.lessons",
     "Trajectory": "dhlab.kinematics.trajectory",
     "Typeset": "dhlab.kinematics.typeset",
     "View": "dhlab.view",
     "animate": "dhlab.animation",
     "block_motion": "dhlab.animation",
+    "configure": "dhlab.lessons",
     "models": "dhlab.models",
+    "move_to": "dhlab.lessons",
     "robot_motion": "dhlab.animation",
     "show": "dhlab.view",
     "side_by_side": "dhlab.panel",
+    "slide": "dhlab.lessons",
     "trj_poly3": "dhlab.kinematics.poly3",
+    "turn": "dhlab.lessons",
     "typeset": "dhlab.kinematics.typeset",
 }
 
@@ -77,6 +86,7 @@ __all__ = [
     "BlockComplex",
     "Branch",
     "Chain",
+    "Choice",
     "Component",
     "Csys",
     "DHRow",
@@ -84,11 +94,14 @@ __all__ = [
     "DhlabError",
     "Handle",
     "InputError",
+    "Lesson",
     "LimitError",
     "Mechanism",
     "Panel",
+    "Place",
     "PlannedMotion",
     "Robot",
+    "Step",
     "Trajectory",
     "Typeset",
     "View",
@@ -100,6 +113,7 @@ __all__ = [
     "block_merge",
     "block_motion",
     "cone",
+    "configure",
     "csys",
     "cube",
     "cuboid",
@@ -111,6 +125,7 @@ __all__ = [
     "inverse",
     "link_transform",
     "models",
+    "move_to",
     "polygon",
     "polyline",
     "prism",
@@ -129,11 +144,13 @@ __all__ = [
     "shapes",
     "show",
     "side_by_side",
+    "slide",
     "sphere",
     "srevolution",
     "tetrahedron",
     "transl",
     "trj_poly3",
+    "turn",
     "typeset",
 ]
 

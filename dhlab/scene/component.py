@@ -275,6 +275,11 @@ class Component:
         moved = samples + self._chain.offset
         self._curves = tuple(Curve(clock, column) for column in moved.T)
 
+    def rest_in_motion(self, curves: tuple[Curve, ...], state: NDArray[np.float64]) -> None:
+        """Stand in `state`, on the way of a motion with stops; the lock is held, nobody is told."""
+        self.store({"q": state})
+        self._curves = curves
+
     def samples(self, clock: Clock) -> NDArray[np.float64]:
         """Return the own configurations during a motion, shape (steps, n)."""
         if self._curves and self._curves[0].clock is clock:

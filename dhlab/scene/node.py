@@ -71,10 +71,29 @@ class Clock(NamedTuple):
     key : str
     times : ndarray, shape (steps,) [s]
         Increasing.
+    stops : tuple of floats [s]
+        Where a motion that is walked through step by step rests, the first instant and the last
+        among them; empty for a motion that plays from end to end.
     """
 
     key: str
     times: NDArray[np.float64]
+    stops: tuple[float, ...] = ()
+
+
+class Rest(NamedTuple):
+    """Where a motion with stops stands.
+
+    Attributes
+    ----------
+    time : float [s]
+    turn : int
+        Counts how often the kernel has sent it somewhere: a page that went there by itself, or
+        has gone further, is not called back.
+    """
+
+    time: float
+    turn: int
 
 
 class Curve(NamedTuple):
@@ -87,10 +106,35 @@ class Curve(NamedTuple):
         For a joint its values, shape (steps,) [rad or m]; for any other node its poses in its
         parent, shape (steps, 4, 4); for a node with `Lines` the number of segments to show,
         shape (steps,): a trace that grows.
+    rest : Rest or None
+        Where a motion with stops stands; None for one that ends at its last instant.
     """
 
     clock: Clock
     samples: NDArray[np.float64]
+    rest: Rest | None = None
+
+    def moves_like(self, other: Curve | None) -> bool:
+        """Whether two curves are one motion, wherever it stands."""
+        return other is not None and (self.clock is other.clock and self.samples is other.samples)
+
+
+class Span(NamedTuple):
+    """The part of a planned motion in which a node is drawn.
+
+    Attributes
+    ----------
+    clock : Clock
+    begin, end : float [s]
+        Drawn later than `begin` and up to `end`; infinite for ever after.
+    grown : float [s]
+        `Lines` grow from `begin` until `grown`.
+    """
+
+    clock: Clock
+    begin: float
+    end: float = float("inf")
+    grown: float = -float("inf")
 
 
 class Node(NamedTuple):
@@ -109,7 +153,9 @@ class Node(NamedTuple):
     visible : bool
         Of the node and of everything under it.
     curve : Curve or None
-        The planned motion of this node; `pose` and `value` are the state it ends in.
+        The planned motion of this node; `pose` and `value` are the state it rests in.
+    span : Span or None
+        When the node is drawn, with all that it carries; None for always.
     """
 
     pose: NDArray[np.float64] = IDENTITY
@@ -119,6 +165,7 @@ class Node(NamedTuple):
     style: Style = Style()
     visible: bool = True
     curve: Curve | None = None
+    span: Span | None = None
 
     @property
     def matrix(self) -> NDArray[np.float64]:
@@ -136,7 +183,11 @@ def same_place(a: Node, b: Node) -> bool:
 def same_but_for_place(a: Node, b: Node) -> bool:
     """Whether two nodes surely differ in their place at most: a quick look, by identity."""
     return (
-        a.joint is b.joint and a.shape is b.shape and a.style is b.style and a.visible == b.visible
+        a.joint is b.joint
+        and a.shape is b.shape
+        and a.style is b.style
+        and a.visible == b.visible
+        and a.span is b.span
     )
 
 
@@ -146,8 +197,10 @@ def same_pose(a: Node, b: Node) -> bool:
 
 
 def same_body(a: Node, b: Node) -> bool:
-    """Whether two nodes draw the same shape and move in the same way."""
-    return same_shape(a.shape, b.shape) and same_joint(a.joint, b.joint)
+    """Whether two nodes draw the same shape, at the same times, and move in the same way."""
+    return (
+        same_shape(a.shape, b.shape) and same_joint(a.joint, b.joint) and same_span(a.span, b.span)
+    )
 
 
 def same_paint(a: Node, b: Node) -> bool:
@@ -165,3 +218,10 @@ def same_joint(a: Joint | None, b: Joint | None) -> bool:
     if a is b or a is None or b is None:
         return a is b
     return a.kind == b.kind and a.key == b.key and np.array_equal(a.after, b.after)
+
+
+def same_span(a: Span | None, b: Span | None) -> bool:
+    """Whether two spans are one: of the same clock, from and until the same instants."""
+    if a is b or a is None or b is None:
+        return a is b
+    return a.clock.key == b.clock.key and a[1:] == b[1:]

@@ -78,6 +78,11 @@ class Placed(Handle):
         self._pose = samples[-1]
         self._curve = Curve(clock, samples)
 
+    def rest_in_motion(self, curves: tuple[Curve, ...], state: NDArray[np.float64]) -> None:
+        """Stand in `state`, on the way of a motion with stops; the lock is held, nobody is told."""
+        self._pose = state
+        (self._curve,) = curves
+
     def trails(self, clock: Clock) -> list[Trail]:
         """Return the path of the origin in the world during a motion."""
         carrier = IDENTITY if self._parent is None else self._parent.carries_at(self)

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from dhlab.scene.node import Curve, Joint, Node, Shape, Style, same_pose
+from dhlab.scene.node import Clock, Curve, Joint, Node, Shape, Span, Style, same_pose
 from dhlab.shapes import Label, Lines, Mesh
 from dhlab.view.commands import Command, Paint, Place, Put, Remove, apply
 
@@ -126,7 +126,8 @@ class _Message:
     @cached_property
     def _clocks(self) -> set[str]:
         """Keys of the clocks that the page has."""
-        return {node.curve.clock.key for node in self._told.values() if node.curve is not None}
+        moved = {node.curve.clock.key for node in self._told.values() if node.curve is not None}
+        return moved | {node.span.clock.key for node in self._told.values() if node.span}
 
     def remove(self, path: str) -> None:
         """Remove a node and what hangs on it."""
@@ -145,6 +146,8 @@ class _Message:
             entry["visible"] = False
         if node.curve is not None:
             entry["curve"] = self._curve(node.curve)
+        if node.span is not None:
+            entry["span"] = self._span(node.span)
         self._append("puts", entry)
 
     def place(self, path: str, node: Node) -> None:
@@ -155,8 +158,14 @@ class _Message:
         if node.joint is None or before is None or not same_pose(before, node):
             self._poses.append((number, node.pose))
         if before is None or before.curve is not node.curve:
-            curve = None if node.curve is None else self._curve(node.curve)
-            self._append("curves", (number, curve))
+            self._move(number, None if before is None else before.curve, node.curve)
+
+    def _move(self, number: int, before: Curve | None, curve: Curve | None) -> None:
+        """Give a node its motion; of one that it has only where it stands."""
+        if curve is not None and curve.moves_like(before):
+            self._rest(curve)
+        else:
+            self._append("curves", (number, None if curve is None else self._curve(curve)))
 
     def paint(self, path: str, node: Node) -> None:
         """Paint a node."""
@@ -211,13 +220,29 @@ class _Message:
 
     def _curve(self, curve: Curve) -> Header:
         clock, samples = curve.clock, np.asarray(curve.samples)
-        if clock.key not in self._clocks:
-            self._clocks.add(clock.key)
-            times = {"count": len(clock.times), "at": self._pack(clock.times, "<f8")}
-            self._header.setdefault("clocks", {})[clock.key] = times
+        self._clock(clock)
+        self._rest(curve)
         poses = samples.ndim == 3
         at = self._pack(samples[:, :3], "<f4") if poses else self._pack(samples, "<f8")
         return {"clock": clock.key, "count": len(samples), "width": 12 if poses else 1, "at": at}
+
+    def _clock(self, clock: Clock) -> None:
+        if clock.key in self._clocks:
+            return
+        self._clocks.add(clock.key)
+        form: Header = {"count": len(clock.times), "at": self._pack(clock.times, "<f8")}
+        form |= {"stops": list(clock.stops)} if clock.stops else {}
+        self._header.setdefault("clocks", {})[clock.key] = form
+
+    def _rest(self, curve: Curve) -> None:
+        if curve.rest is not None:
+            self._header.setdefault("rests", {})[curve.clock.key] = list(curve.rest)
+
+    def _span(self, span: Span) -> Header:
+        self._clock(span.clock)
+        form: Header = {"clock": span.clock.key, "begin": span.begin}
+        form |= {"end": span.end} if span.end < float("inf") else {}
+        return form | ({"grown": span.grown} if span.grown > span.begin else {})
 
     def _style(self, style: Style) -> int:
         return self._styles.setdefault(style, len(self._styles))

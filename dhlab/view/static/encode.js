@@ -15,7 +15,15 @@ export function encode(scene) {
   }
   const clocks = scene.players.map(({ key, times }) => [
     key,
-    { count: times.length, at: pack.add(Float64Array, times) },
+    {
+      count: times.length,
+      at: pack.add(Float64Array, times),
+      ...(times.stops?.length && { stops: times.stops }),
+    },
+  ]);
+  const rests = scene.players.filter(({ stops }) => stops.length).map((player) => [
+    player.key,
+    [player.stops[player.at], player.turn],
   ]);
   const header = {
     kind: "batch",
@@ -27,6 +35,7 @@ export function encode(scene) {
     styles,
     geometry: Object.fromEntries(geometry),
     clocks: Object.fromEntries(clocks),
+    rests: Object.fromEntries(rests),
   };
   return join(new TextEncoder().encode(JSON.stringify(header)), pack);
 }
@@ -47,7 +56,7 @@ class Pack {
 }
 
 function encodePut(node, pack, styles) {
-  const { id, path, pose, joint, digest, style, visible, curve, shown } = node;
+  const { id, path, pose, joint, digest, style, visible, curve, span, shown } = node;
   return {
     id,
     path,
@@ -58,6 +67,7 @@ function encodePut(node, pack, styles) {
     ...(digest !== null && { shape: digest }),
     ...(!visible && { visible }),
     ...(curve && { curve: encodeCurve(curve, pack) }),
+    ...(span && { span: encodeSpan(span) }),
   };
 }
 
@@ -69,6 +79,16 @@ function numberOf(style, styles) {
 
 function encodeCurve({ clock, samples, count, width }, pack) {
   return { clock, count, width, at: pack.add(width === 12 ? Float32Array : Float64Array, samples) };
+}
+
+/** JSON has no infinite numbers: what is not there has no bound. */
+function encodeSpan({ clock, begin, end, grown }) {
+  return {
+    clock,
+    begin,
+    ...(end < Infinity && { end }),
+    ...(grown > begin && { grown }),
+  };
 }
 
 function encodeShape(shape, pack) {

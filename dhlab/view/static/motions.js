@@ -26,19 +26,23 @@ export class Motions {
   /** Raise when a curve of the batch has no clock, or does not fit its clock or its node. */
   check({ puts, curves, clocks, fresh }) {
     const given = [...puts, ...curves].filter(({ curve }) => curve).map(({ curve }) => curve);
-    for (const { clock, count } of given) {
+    const spans = puts.filter(({ span }) => span).map(({ span }) => span);
+    for (const { clock, count } of [...given, ...spans]) {
       const times = clocks.get(clock) ?? (fresh ? undefined : this.#clocks.get(clock)?.player.times);
       if (!times) throw new Error(`no clock ${clock}`);
-      if (times.length !== count) throw new Error("a curve needs a sample for each instant");
+      if (count !== undefined && times.length !== count) throw new Error("a curve needs a sample for each instant");
     }
   }
 
   /** Take up the clocks now in use and let go of the others. */
-  update(times, starts) {
+  update({ clocks: times, rests }, starts) {
     const used = new Map();
     for (const node of this.#scene.nodes.values()) {
-      if (node.curve) used.set(node.curve.clock, [...(used.get(node.curve.clock) ?? []), node]);
-      else if (node.moving) this.#settle(node);
+      for (const key of clocksOf(node)) {
+        if (!used.has(key)) used.set(key, []);
+        used.get(key).push(node);
+      }
+      if (!node.curve && node.moving) this.#settle(node);
     }
     const before = [...this.#clocks.keys()];
     for (const key of before.filter((clock) => !used.has(clock))) {
@@ -46,6 +50,7 @@ export class Motions {
       this.#clocks.delete(key);
     }
     for (const [key, nodes] of used) this.#use(key, nodes, times.get(key), starts(key));
+    for (const [key, rest] of rests) this.#clocks.get(key)?.player.follow(rest);
     const after = [...this.#clocks.keys()];
     if (String(before) !== String(after)) this.#scene.tell("playersChanged");
   }
@@ -60,7 +65,7 @@ export class Motions {
     const { player, fresh } = playerOf(key, times);
     const taken = { player, nodes, leave: player.subscribe(() => this.#show(taken, true)) };
     this.#clocks.set(key, taken);
-    if (fresh && start) player.play();
+    if (fresh && start && !player.stops.length) player.play();
     else this.#show(taken);
   }
 
@@ -72,10 +77,11 @@ export class Motions {
     for (const { player, nodes } of this.#clocks.values()) {
       const bound = nodes.filter((node) => node.released !== player.takes);
       const present = bound.map((node) => ({ ...node.shown }));
-      for (let k = 0; k <= SURVEY; k++) {
-        const time = player.start + (k / SURVEY) * (player.end - player.start);
+      const steps = Math.max(SURVEY, 2 * player.stops.length);
+      for (let k = 0; k <= steps; k++) {
+        const time = player.start + (k / steps) * (player.end - player.start);
         const where = locate(player.times, time);
-        for (const node of bound) showAt(node, where);
+        for (const node of bound) showAt(node, where, time);
         look(bound);
       }
       bound.forEach((node, i) => Object.assign(node.shown, present[i]));
@@ -109,10 +115,10 @@ export class Motions {
     const where = locate(player.times, player.time);
     const joints = new Map();
     for (const node of nodes) {
-      if (node.released === player.takes) continue;
-      node.moving = true;
-      showAt(node, where);
-      if (node.joint) joints.set(node.joint.key, node.shown.value);
+      if (node.curve && node.released === player.takes) continue;
+      node.moving = Boolean(node.curve);
+      showAt(node, where, player.time);
+      if (node.joint && node.curve) joints.set(node.joint.key, node.shown.value);
       this.#scene.tell("moved", node);
     }
     if (playing) {
@@ -122,9 +128,20 @@ export class Motions {
   }
 }
 
-/** Give a node the state that its curve has there: a pose, a joint's variable, a trace's length. */
-function showAt({ joint, curve, shown }, where) {
-  if (curve.width === 12) shown.pose = poseAt(curve.samples, where);
-  else if (joint) shown.value = numberAt(curve.samples, where);
-  else shown.count = Math.floor(numberAt(curve.samples, where));
+/** Keys of the clocks that a node goes by. */
+function clocksOf({ curve, span }) {
+  if (!curve && !span) return [];
+  return new Set([curve, span].flatMap((by) => (by ? [by.clock] : [])));
+}
+
+/** Give a node the state of one instant: a pose, a joint's variable, a trace's length, or none. */
+function showAt({ joint, curve, span, shape, shown }, where, time) {
+  if (curve?.width === 12) shown.pose = poseAt(curve.samples, where);
+  else if (curve && joint) shown.value = numberAt(curve.samples, where);
+  else if (curve) shown.count = Math.floor(numberAt(curve.samples, where));
+  if (!span) return;
+  const { begin, end, grown } = span;
+  shown.hidden = !(time > begin && time <= end);
+  const way = grown > begin ? Math.min((time - begin) / (grown - begin), 1) : 1;
+  if (shape?.kind === "lines") shown.count = Math.round((way * shape.segments.length) / 6);
 }

@@ -1,6 +1,9 @@
 /**
  * Plays the planned motions of one clock: a time that runs at the page's own frame rate. Every
  * view of the page that shows this clock follows the same player, so that they run in step.
+ *
+ * A clock may have stops, the ends of a lesson's steps. Then the player does not run to the end
+ * but to its `target`: one stop after the other.
  */
 import { sharedPage } from "./page.js";
 
@@ -14,6 +17,10 @@ export class Player {
   constructor(key, times) {
     this.key = key;
     this.times = times;
+    this.stops = times.stops ?? [];
+    /** How often the kernel has sent this player somewhere, as far as it has heard. */
+    this.turn = -1;
+    this.target = this.end;
     this.time = this.end;
     this.playing = false;
     this.speed = habits.speed;
@@ -30,14 +37,48 @@ export class Player {
     return this.times[this.times.length - 1];
   }
 
+  /** Number of the stop that the player stands at or runs to: the step that is shown. */
+  get at() {
+    return Math.max(this.stops.indexOf(this.target), 0);
+  }
+
   play() {
     if (this.end === this.start) return;
-    if (this.time >= this.end) this.time = this.start;
+    if (this.time >= this.target) this.time = this.#before(this.target);
     this.takes += 1;
     this.playing = true;
     this.#drawnAt = performance.now();
     this.#frame ??= requestAnimationFrame((now) => this.#tick(now));
     this.#tell();
+  }
+
+  /** Run from the stop before to stop number `k`; from further on if the time is there. */
+  playTo(k) {
+    const target = this.#stop(k);
+    const start = this.#before(target);
+    this.target = target;
+    if (this.time < start || this.time > target) this.time = start;
+    if (this.time < target) this.play();
+    else this.#tell();
+  }
+
+  /** Stand at stop number `k`. */
+  goTo(k) {
+    this.playing = false;
+    this.target = this.#stop(k);
+    this.seek(this.target);
+    this.pause();
+  }
+
+  /** The kernel says where to stand: the first time, and whenever it has sent it anew. */
+  follow({ time, turn }) {
+    if (turn <= this.turn) return;
+    const first = this.turn < 0;
+    this.turn = turn;
+    const k = this.stops.indexOf(time);
+    if (k < 0 || (!first && this.target === time)) return;
+    if (!first && k === this.at + 1) this.playTo(k);
+    else this.goTo(k);
   }
 
   pause() {
@@ -88,6 +129,16 @@ export class Player {
     };
   }
 
+  #stop(k) {
+    if (!(k in this.stops)) throw new Error(`no stop ${k}; there are ${this.stops.length}`);
+    return this.stops[k];
+  }
+
+  /** The stop before a target; the first instant where there are no stops. */
+  #before(target) {
+    return this.stops.findLast((stop) => stop < target) ?? this.start;
+  }
+
   #retire() {
     this.pause();
     const { players } = sharedPage();
@@ -99,8 +150,9 @@ export class Player {
     const passed = (Math.max(now - this.#drawnAt, 0) / 1000) * this.speed;
     this.#drawnAt = Math.max(now, this.#drawnAt);
     this.time += passed;
-    if (this.time >= this.end && !this.loop) {
-      this.time = this.end;
+    const loop = this.loop && !this.stops.length;
+    if (this.time >= this.target && !loop) {
+      this.time = this.target;
       this.pause();
       return;
     }

@@ -38,7 +38,7 @@ export class Scene {
     for (const { id, style, visible } of batch.paints) this.#paint(id, style, visible);
     for (const { id, curve } of batch.curves) this.nodes.get(id).curve = curve;
     this.sequence = batch.sequence;
-    this.#motions.update(batch.clocks, (clock) => live || batch.play.includes(clock));
+    this.#motions.update(batch, (clock) => live || batch.play.includes(clock));
     this.#dropUnusedGeometry();
     this.tell("changed");
   }
@@ -108,7 +108,7 @@ export class Scene {
     const node = Object.assign(old ?? { children: new Set(), parent: null }, put, {
       shape: put.shape === null ? null : this.geometry.get(put.shape),
       digest: put.shape,
-      shown: { value: put.value, pose: put.pose, count: Infinity },
+      shown: { value: put.value, pose: put.pose, count: Infinity, hidden: false },
       heldUntil: 0,
     });
     if (!old) {

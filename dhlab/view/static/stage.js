@@ -77,7 +77,7 @@ export class Stage {
   }
 
   playersChanged() {
-    this.playerBar.follow(this.scene.players.at(-1) ?? null);
+    this.playerBar.follow(this.scene.players.findLast(({ stops }) => !stops.length) ?? null);
     this.#stale.bounds ||= "grown";
   }
 

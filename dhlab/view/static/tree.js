@@ -43,7 +43,6 @@ export class Tree {
     }
     entry.body = node.shape && createBody(node, this.workshop);
     if (entry.body) entry.group.add(entry.body.object);
-    entry.group.visible = node.visible;
     this.moved(node);
   }
 
@@ -51,12 +50,13 @@ export class Tree {
     const { group, body } = this.#entries.get(node.id);
     toMatrix4(shownPose(node), group.matrix);
     group.matrixWorldNeedsUpdate = true;
+    group.visible = node.visible && !node.shown.hidden;
     body?.show?.(node.shown.count);
   }
 
   painted(node) {
     const { group, body } = this.#entries.get(node.id);
-    group.visible = node.visible;
+    group.visible = node.visible && !node.shown.hidden;
     body?.paint(node.style);
   }
 

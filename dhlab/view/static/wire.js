@@ -31,6 +31,7 @@ export function decode(header, view) {
     clocks: new Map(
       Object.entries(header.clocks ?? {}).map(([key, form]) => [key, decodeTimes(form, read)]),
     ),
+    rests: new Map(Object.entries(header.rests ?? {}).map(([key, form]) => [key, decodeRest(form)])),
     removes: (header.removes ?? []).map((id) => natural(id, "node")),
     puts: puts.map((put) => decodePut(put, read, styles)),
     joints: decodeJoints(header.joints, read),
@@ -101,6 +102,7 @@ function decodePut(put, read, styles) {
     style: known(styles[put.style], "style"),
     visible: put.visible ?? true,
     curve: put.curve ? decodeCurve(put.curve, read) : null,
+    span: put.span ? decodeSpan(put.span) : null,
   };
 }
 
@@ -129,13 +131,30 @@ function decodePoses(form, read) {
   return { ids: read(Uint32Array, form.ids, count), poses };
 }
 
-function decodeTimes({ at, count }, read) {
+function decodeTimes({ at, count, stops = [] }, read) {
   const times = read(Float64Array, at, count);
   if (count < 1) throw new Error("a clock has at least one instant");
   for (let i = 1; i < count; i++) {
     if (times[i] <= times[i - 1]) throw new Error("the instants of a clock must increase");
   }
-  return times;
+  const held = (stop) => finite(stop, "a stop") >= times[0] && stop <= times[count - 1];
+  if (!stops.every((stop, k) => held(stop) && (k === 0 || stop >= stops[k - 1]))) {
+    throw new Error("the stops of a clock must be in order and within its instants");
+  }
+  return Object.assign(times, { stops });
+}
+
+function decodeRest([time, turn]) {
+  return { time: finite(time, "a rest"), turn: natural(turn, "a turn") };
+}
+
+function decodeSpan({ clock, begin, end, grown }) {
+  return {
+    clock: String(clock),
+    begin: finite(begin, "the begin of a span"),
+    end: end === undefined ? Infinity : finite(end, "the end of a span"),
+    grown: grown === undefined ? -Infinity : finite(grown, "a span"),
+  };
 }
 
 function decodeCurve({ clock, at, count, width }, read) {

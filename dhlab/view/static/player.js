@@ -76,7 +76,8 @@ export class Player {
     const first = this.turn < 0;
     this.turn = turn;
     const k = this.stops.indexOf(time);
-    if (k < 0 || (!first && this.target === time)) return;
+    const there = this.target === time && (this.playing || this.time === time);
+    if (k < 0 || (there && !first)) return;
     if (!first && k === this.at + 1) this.playTo(k);
     else this.goTo(k);
   }

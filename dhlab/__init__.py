@@ -52,7 +52,18 @@ if TYPE_CHECKING:
     from dhlab.kinematics.poly3 import trj_poly3
     from dhlab.kinematics.trajectory import Trajectory
     from dhlab.kinematics.typeset import Typeset, typeset
-    from dhlab.lessons import Choice, Lesson, Place, Step, configure, move_to, slide, turn
+    from dhlab.lessons import (
+        Choice,
+        Lesson,
+        Place,
+        Step,
+        configure,
+        dh_lesson,
+        move_to,
+        sequence_lesson,
+        slide,
+        turn,
+    )
     from dhlab.panel import Panel, side_by_side
     from dhlab.view import View, show
 
@@ -69,9 +80,11 @@ ON_FIRST_USE = {
     "animate": "dhlab.animation",
     "block_motion": "dhlab.animation",
     "configure": "dhlab.lessons",
+    "dh_lesson": "dhlab.lessons",
     "models": "dhlab.models",
     "move_to": "dhlab.lessons",
     "robot_motion": "dhlab.animation",
+    "sequence_lesson": "dhlab.lessons",
     "show": "dhlab.view",
     "side_by_side": "dhlab.panel",
     "slide": "dhlab.lessons",
@@ -120,6 +133,7 @@ __all__ = [
     "cylinder",
     "deg",
     "dh",
+    "dh_lesson",
     "eul2r",
     "interpolate",
     "inverse",
@@ -141,6 +155,7 @@ __all__ = [
     "rotz",
     "rp2t",
     "rpy2r",
+    "sequence_lesson",
     "shapes",
     "show",
     "side_by_side",

@@ -18,6 +18,7 @@ by itself, for all of them are sent ahead. `sequence_lesson` and `dh_lesson` mak
 list of turns and slides and from the table of any robot.
 """
 
+from dhlab.lessons.dh_steps import dh_lesson
 from dhlab.lessons.lesson import Lesson
 from dhlab.lessons.moves import (
     Configure,
@@ -30,6 +31,7 @@ from dhlab.lessons.moves import (
     slide,
     turn,
 )
+from dhlab.lessons.sequence import sequence_lesson
 from dhlab.lessons.step import Choice, Place, Step
 
 __all__ = [
@@ -43,7 +45,9 @@ __all__ = [
     "Step",
     "Turn",
     "configure",
+    "dh_lesson",
     "move_to",
+    "sequence_lesson",
     "slide",
     "turn",
 ]

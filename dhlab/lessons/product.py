@@ -19,7 +19,9 @@ Factor = dict[str, Any]
 class Product:
     """The pose of one csys in the world, as the product of the moves that brought it there.
 
-    A move about own axes is a factor on the right, any other one on the left.
+    A move about own axes is a factor on the right, any other one on the left. The plain data of a
+    product has `of`, the name of the handle; `relative`, the pose in the world of the frame that
+    the product is seen from, or None for the world; its `factors`, and which of them was `added`.
 
     Parameters
     ----------

@@ -19,6 +19,7 @@ LAYERS = [  # a module imports from its own layer and from those above it in thi
     ["models"],
     ["animation"],
     ["lessons"],
+    ["diagnosis"],
     ["grading"],
     ["view"],  # from here on a screen is needed
     ["panel"],

@@ -1,0 +1,29 @@
+"""Diagnosis: from a wrong answer and what was asked to the mistake that was made.
+
+A task says what was asked. It judges *cases*: pairs of the arguments of a case (an empty tuple for
+a plain value) and what came for them, as plain numbers::
+
+    task = MatrixTask(turn("z", lambda yaw: yaw), slide((1, 0, 0)))
+    verdict = task.judge([((yaw,), answer(yaw)) for yaw in (0.3, 1.2, -2.0)])
+    verdict.right      # True or False
+    verdict.text       # sentences for a student
+    verdict.mistakes   # the mistakes by name: `key`, `text`, `question`
+
+A judgement works by making what each known misconception, alone or with a second one, would have
+made of the same inputs. What fits in all cases is named: "This is exactly what you get when ...".
+Explanations that give the same values are named as alternatives. Where nothing fits, no cause is
+named: `seen` then says what anybody can see. The more cases and the less special their numbers,
+the fewer the alternatives: three inputs without zeros and right angles tell most mistakes apart.
+
+- `verdict`: what a judgement says; `values`: from whatever came to numbers; `seen`: what is seen
+- `slips`: the search; `product`, `product_slips`, `after`: what goes wrong in a product
+- `matrix`: a matrix that is a product of turns and slides
+
+The tasks: `MatrixTask`.
+"""
+
+from dhlab.diagnosis.matrix import MatrixTask
+from dhlab.diagnosis.product import slide, turn
+from dhlab.diagnosis.verdict import Mistake, Task, Verdict
+
+__all__ = ["MatrixTask", "Mistake", "Task", "Verdict", "slide", "turn"]

@@ -1,0 +1,108 @@
+"""Tasks whose answer is a matrix: a product of turns and slides, one link."""
+
+from collections.abc import Callable, Sequence
+from typing import Any, Literal
+
+import numpy as np
+
+from dhlab.diagnosis.product import Factor, Product
+from dhlab.diagnosis.product_slips import product_slips
+from dhlab.diagnosis.seen import pose_seen
+from dhlab.diagnosis.slips import Slip, explain, verdict_of
+from dhlab.diagnosis.values import TOLERANCE, Floats, Unreadable, as_pose44, close, numbers
+from dhlab.diagnosis.verdict import Case, Verdict
+from dhlab.errors import InputError
+
+Inputs = tuple[Any, ...]
+
+
+class MatrixTask:
+    """A rotation or a pose that is a product of elementary factors.
+
+    Parameters
+    ----------
+    *factors : Factor
+        Made by `turn` and `slide`, in the order in which the task tells them.
+    about : {'moving', 'fixed'}, optional
+        About which axes the moves are told: 'moving' multiplies from left to right, 'fixed' from
+        right to left. Without it the factors are the product as it is written.
+    size : {3, 4}
+        Rows of the matrix asked for: 4 also takes what 3 has.
+    tolerance : float
+
+    Examples
+    --------
+    >>> from dhlab.diagnosis import MatrixTask, turn
+    >>> from dhlab.kinematics.transforms import rotx, rotz
+    >>> task = MatrixTask(turn("z", 0.3), turn("x", 0.5), about="moving", size=3)
+    >>> task.judge([((), rotz(0.3) @ rotx(0.5))]).right
+    True
+    >>> [m.key for m in task.judge([((), rotx(0.5) @ rotz(0.3))]).mistakes]
+    ['fixed-moving']
+    """
+
+    def __init__(
+        self,
+        *factors: Factor,
+        about: Literal["moving", "fixed"] | None = None,
+        size: Literal[3, 4] = 4,
+        tolerance: float = TOLERANCE,
+    ) -> None:
+        if not factors:
+            raise InputError("a product needs at least one factor")
+        if about not in (None, "moving", "fixed"):
+            raise InputError(f"no axes {about!r}; use 'moving' or 'fixed'")
+        if size not in (3, 4):
+            raise InputError(f"size must be 3 or 4, got {size!r}")
+        self.factors = factors[::-1] if about == "fixed" else factors
+        self.about, self.size, self.tolerance = about, size, tolerance
+
+    def reference(self, *inputs: Any) -> Floats:
+        """What is right for these inputs, shape (size, size)."""
+        return self._model(inputs).value()[: self.size, : self.size]
+
+    def judge(self, cases: Sequence[Case]) -> Verdict:
+        """Judge an answer by what came for several inputs."""
+        models = [self._model(inputs) for inputs, _ in cases]
+        rotation = self.size == 3
+        slips = product_slips(models[0].moves, self.about, rotation)
+        return judge_matrices(cases, models, slips, self.size, self.tolerance)
+
+    def _model(self, inputs: Sequence[Any]) -> Product:
+        return Product(tuple(f.at(inputs) for f in self.factors))
+
+
+def judge_matrices(
+    cases: Sequence[Case],
+    models: Sequence[Any],
+    slips: Sequence[Slip[Any]],
+    size: int,
+    tolerance: float,
+    evaluate: Callable[[Sequence[Any]], Sequence[Floats]] | None = None,
+) -> Verdict:
+    """Judge matrices by models whose `value` is a pose."""
+    evaluate = evaluate or each_value
+    try:
+        came = [as_pose44(numbers(value, [(size, size)])) for _, value in cases]
+    except Unreadable as refusal:
+        return Verdict(False, str(refusal))
+    wanted = [evaluate([m])[0] for m in models]
+    wrong = [
+        k for k, (a, b) in enumerate(zip(came, wanted, strict=True)) if not close(a, b, tolerance)
+    ]
+    if not wrong:
+        return Verdict(True, "")
+    seen = pose_seen(came[wrong[0]], wanted[wrong[0]]) + how_many(len(wrong), len(cases))
+    return verdict_of(seen, explain(models, came, slips, evaluate, tolerance))
+
+
+def each_value(models: Sequence[Any]) -> list[Floats]:
+    """Values of models, one by one."""
+    return [np.asarray(m.value()) for m in models]
+
+
+def how_many(wrong: int, cases: int) -> str:
+    """Sentence that says for how many inputs the answer is right, where some are."""
+    if wrong == cases:
+        return ""
+    return f" For {cases - wrong} of {cases} inputs it is right: what is special about the others?"

@@ -1,0 +1,194 @@
+"""What may go wrong in a product of turns and slides."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from math import degrees, pi, radians
+
+import numpy as np
+
+from dhlab.diagnosis.after import after_slips
+from dhlab.diagnosis.product import Move, Product
+from dhlab.diagnosis.slips import Slip
+from dhlab.diagnosis.verdict import Mistake, mistake
+
+ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
+HAND = "Point your right thumb along the axis: which way do the fingers curl?"
+
+
+def product_slips(
+    moves: Sequence[Move], about: str | None, rotation: bool, names: Sequence[str] | None = None
+) -> list[Slip[Product]]:
+    """All slips for a product of this make.
+
+    Parameters
+    ----------
+    moves : sequence of Move
+        The factors of one case: their kinds and axes count, not their numbers.
+    about : {'moving', 'fixed'} or None
+        How the task tells the order.
+    rotation : bool
+        Whether only the rotation is asked for.
+    names : sequence of str, optional
+        What the factors are called in a sentence.
+    """
+    names = names or tuple(_name(m, k, moves) for k, m in enumerate(moves))
+    slips = [
+        *_order(moves, about, names),
+        *_angles(moves, names),
+        *_axes(moves, names),
+        *_slides(moves, names),
+        *_counts(moves, names),
+    ]
+    slides = any(m.kind == "slide" for m in moves)
+    slips += [
+        Slip(m, lambda p, change=change: p.then(change))  # type: ignore[misc]
+        for m, change in after_slips(rotation, slides)
+    ]
+    return slips
+
+
+def _name(move: Move, k: int, moves: Sequence[Move]) -> str:
+    same = [m for m in moves if m.kind == move.kind and m.axis == move.axis]
+    what = "slide" if move.kind == "slide" else f"turn about {_axis(move)}"
+    if len(same) == 1:
+        return f"the {what}"
+    return f"the {ORDINALS[next(i for i, m in enumerate(same) if m is move) % 8]} {what}"
+
+
+def _axis(move: Move) -> str:
+    return move.axis if isinstance(move.axis, str) else "the slanted axis"
+
+
+def _order(
+    moves: Sequence[Move], about: str | None, names: Sequence[str]
+) -> Iterator[Slip[Product]]:
+    if len(moves) > 1:
+        yield Slip(_reversed(about), lambda p: replace(p, moves=p.moves[::-1]))
+    if len(moves) > 2:
+        for k in range(len(moves) - 1):
+            yield Slip(
+                mistake(
+                    f"swapped-{k + 1}-{k + 2}",
+                    f"{names[k]} and {names[k + 1]} change places",
+                    "Which factor stands leftmost: the one done first or the one done last?",
+                ),
+                lambda p, k=k: replace(p, moves=_swapped(p.moves, k)),  # type: ignore[misc]
+            )
+
+
+def _reversed(about: str | None) -> Mistake:
+    if about is None:
+        return mistake(
+            "reversed-order",
+            "the factors are multiplied in the reverse order",
+            "Read your product from the right: what happens to the frame first?",
+        )
+    other = "fixed" if about == "moving" else "moving"
+    side = "right" if about == "moving" else "left"
+    return mistake(
+        "fixed-moving",
+        f"the moves are made about the {other} axes, with the factors in reverse order, "
+        f"instead of the {about} ones",
+        f"A move about {about} axes is multiplied on which side? (Try one on the {side}.)",
+    )
+
+
+def _swapped(moves: tuple[Move, ...], k: int) -> tuple[Move, ...]:
+    return (*moves[:k], moves[k + 1], moves[k], *moves[k + 2 :])
+
+
+def _angles(moves: Sequence[Move], names: Sequence[str]) -> Iterator[Slip[Product]]:
+    turns = [k for k, m in enumerate(moves) if m.kind == "turn"]
+    for k in turns:
+        yield Slip(
+            mistake(f"sign-{k + 1}", f"{names[k]} goes the wrong way round", HAND),
+            lambda p, k=k: p.changed(k, angle=-p.moves[k].angle),  # type: ignore[misc]
+        )
+        yield Slip(
+            mistake(
+                f"sine-cosine-{k + 1}",
+                f"sine and cosine are exchanged in {names[k]}",
+                "What must the matrix be when its angle is 0?",
+            ),
+            lambda p, k=k: p.changed(k, angle=pi / 2 - p.moves[k].angle),  # type: ignore[misc]
+        )
+    units = "Do the sine and cosine of numpy take degrees or radians?"
+    if len(turns) > 1:
+        yield Slip(
+            mistake("sign-all", "every angle has the wrong sign", HAND),
+            lambda p: _all_angles(p, -1),
+        )
+    if turns:
+        yield Slip(
+            mistake("degrees", "angles in radians are taken for degrees", units),
+            lambda p: _all_angles(p, radians(1)),
+        )
+        yield Slip(
+            mistake("radians", "degrees are put in where radians belong", units),
+            lambda p: _all_angles(p, degrees(1)),
+        )
+
+
+def _all_angles(p: Product, factor: float) -> Product:
+    return replace(p, moves=tuple(replace(m, angle=m.angle * factor) for m in p.moves))
+
+
+def _axes(moves: Sequence[Move], names: Sequence[str]) -> Iterator[Slip[Product]]:
+    for k, move in enumerate(moves):
+        if move.kind == "turn" and isinstance(move.axis, str):
+            for axis in "xyz".replace(move.axis, ""):
+                yield Slip(
+                    mistake(
+                        f"axis-{k + 1}-{axis}",
+                        f"{names[k]} is made about {axis}",
+                        "Which column of a rotation matrix stays 0, 0, 1 or the like?",
+                    ),
+                    lambda p, k=k, axis=axis: p.changed(k, axis=axis),  # type: ignore[misc]
+                )
+
+
+def _slides(moves: Sequence[Move], names: Sequence[str]) -> Iterator[Slip[Product]]:
+    for k, move in enumerate(moves):
+        if move.kind == "slide":
+            yield Slip(
+                mistake(
+                    f"slide-sign-{k + 1}",
+                    f"{names[k]} goes the opposite way",
+                    "From which origin to which does the vector point?",
+                ),
+                lambda p, k=k: p.changed(k, vector=-p.moves[k].vector),  # type: ignore[misc]
+            )
+            if np.count_nonzero(move.vector) == 1:
+                yield from _slid_along(k, names[k])
+
+
+def _slid_along(k: int, name: str) -> Iterator[Slip[Product]]:
+    for step in (1, 2):
+        yield Slip(
+            mistake(
+                f"slide-axis-{k + 1}-{step}",
+                f"{name} is made along another axis",
+                "Along which axis of the frame does this length lie?",
+            ),
+            lambda p, step=step: p.changed(  # type: ignore[misc]
+                k, vector=np.roll(p.moves[k].vector, step)
+            ),
+        )
+
+
+def _counts(moves: Sequence[Move], names: Sequence[str]) -> Iterator[Slip[Product]]:
+    for k in range(len(moves)):
+        question = "How many factors does the way from the first frame to the last have?"
+        if len(moves) > 1:
+            yield Slip(
+                mistake(f"left-out-{k + 1}", f"{names[k]} is left out", question),
+                lambda p, k=k: p.changed(  # type: ignore[misc]
+                    k, angle=0.0, vector=np.zeros(3)
+                ),
+            )
+        yield Slip(
+            mistake(f"twice-{k + 1}", f"{names[k]} is made twice", question),
+            lambda p, k=k: p.changed(  # type: ignore[misc]
+                k, angle=2 * p.moves[k].angle, vector=2 * p.moves[k].vector
+            ),
+        )

@@ -1,0 +1,92 @@
+"""What anybody can see of a wrong answer, without a guess at the cause."""
+
+import numpy as np
+
+from dhlab.diagnosis.values import Floats, as_pose44
+from dhlab.kinematics.angles import r2angvec
+
+SMALL = 1e-6
+
+
+def pose_seen(came: Floats, wanted: Floats, name: str = "the frame") -> str:
+    """Sentence about a matrix, shape (3, 3) or (4, 4), that is not the one wanted.
+
+    Examples
+    --------
+    >>> pose_seen(np.diag([1.0, 1, 2]), np.eye(3))
+    'This is no rotation matrix: the z column has length 2, not 1.'
+    """
+    A, B = as_pose44(came), as_pose44(wanted)
+    if np.abs(A[3] - (0, 0, 0, 1)).max() > SMALL:
+        return "The last row of a pose is 0, 0, 0, 1: here it is not."
+    R = A[:3, :3]
+    fault = _no_rotation(R)
+    if fault:
+        return fault
+    parts = []
+    angle, axis = r2angvec(_nearest(R @ B[:3, :3].T))
+    if angle > SMALL:
+        parts.append(f"turned by {np.degrees(angle):.3g} degrees about {_axis_name(axis)}")
+    shift = A[:3, 3] - B[:3, 3]
+    if np.linalg.norm(shift) > SMALL:
+        parts.append(f"{distance(float(np.linalg.norm(shift)))} off, {_along(shift)}")
+    where = " and ".join(parts) or "off by less than can be seen"
+    return f"{name[0].upper()}{name[1:]} is {where}."
+
+
+def point_seen(came: Floats, wanted: Floats, name: str = "the point") -> str:
+    """Sentence about a point that lies elsewhere."""
+    shift = came - wanted
+    return f"{name[0].upper()}{name[1:]} is {distance(float(np.linalg.norm(shift)))} off, \
+{_along(shift)}."
+
+
+def distance(length: float) -> str:
+    """Length to read.
+
+    Examples
+    --------
+    >>> distance(0.0123), distance(2.5)
+    ('12.3 mm', '2.5 m')
+    """
+    return f"{length * 1000:.3g} mm" if length < 1 else f"{length:.4g} m"
+
+
+def _no_rotation(R: Floats) -> str:
+    lengths = np.linalg.norm(R, axis=0)
+    for k in range(3):
+        if abs(lengths[k] - 1) > 1e-5:
+            return (
+                f"This is no rotation matrix: the {'xyz'[k]} column has length "
+                f"{lengths[k]:.3g}, not 1."
+            )
+    gram = R.T @ R
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        if abs(gram[i, j]) > 1e-5:
+            return (
+                f"This is no rotation matrix: the {'xyz'[i]} and the {'xyz'[j]} column are not "
+                "perpendicular."
+            )
+    if np.linalg.det(R) < 0:
+        return "This frame is left-handed: x cross y is not z but its opposite."
+    return ""
+
+
+def _nearest(R: Floats) -> Floats:
+    u, _, vh = np.linalg.svd(R)
+    out: Floats = u @ np.diag([1.0, 1.0, float(np.linalg.det(u @ vh))]) @ vh
+    return out
+
+
+def _axis_name(axis: Floats) -> str:
+    k = int(np.abs(axis).argmax())
+    if abs(axis[k]) > 1 - 1e-6:
+        return f"the fixed {'xyz'[k]} axis"
+    return "an axis that is none of x, y, z"
+
+
+def _along(shift: Floats) -> str:
+    k = int(np.abs(shift).argmax())
+    if np.abs(np.delete(shift, k)).max() < 1e-6 * (1 + abs(shift[k])):
+        return f"along {'xyz'[k]} alone"
+    return f"most of it along {'xyz'[k]}"

@@ -18,12 +18,28 @@ the fewer the alternatives: three inputs without zeros and right angles tell mos
 - `verdict`: what a judgement says; `values`: from whatever came to numbers; `seen`: what is seen
 - `slips`: the search; `product`, `product_slips`, `after`: what goes wrong in a product
 - `matrix`: a matrix that is a product of turns and slides
+- `link`: the function of one row; `tables`: forward kinematics of a chain, and a table;
+  `chain_slips`: what goes wrong there; `gauge`: when two tables are the same mechanism
 
-The tasks: `MatrixTask`.
+The tasks: `MatrixTask` (a rotation or a pose, plain or as a function), `LinkTask` (the pose of one
+row, as a function of alpha, a, d, theta), `ForwardTask` (the pose of the tip as a function of one
+configuration), `TableTask` (a table; with base, grasper, offset and letters a simple robot).
 """
 
+from dhlab.diagnosis.link import LinkTask
 from dhlab.diagnosis.matrix import MatrixTask
 from dhlab.diagnosis.product import slide, turn
+from dhlab.diagnosis.tables import ForwardTask, TableTask
 from dhlab.diagnosis.verdict import Mistake, Task, Verdict
 
-__all__ = ["MatrixTask", "Mistake", "Task", "Verdict", "slide", "turn"]
+__all__ = [
+    "ForwardTask",
+    "LinkTask",
+    "MatrixTask",
+    "Mistake",
+    "TableTask",
+    "Task",
+    "Verdict",
+    "slide",
+    "turn",
+]

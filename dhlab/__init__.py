@@ -64,12 +64,13 @@ if TYPE_CHECKING:
         slide,
         turn,
     )
-    from dhlab.panel import Panel, side_by_side
+    from dhlab.panel import LessonView, Panel, side_by_side
     from dhlab.view import View, show
 
 ON_FIRST_USE = {
     "Choice": "dhlab.lessons",
     "Lesson": "dhlab.lessons",
+    "LessonView": "dhlab.panel",
     "Panel": "dhlab.panel",
     "Place": "dhlab.lessons",
     "PlannedMotion": "dhlab.animation",
@@ -108,6 +109,7 @@ __all__ = [
     "Handle",
     "InputError",
     "Lesson",
+    "LessonView",
     "LimitError",
     "Mechanism",
     "Panel",
@@ -183,5 +185,12 @@ def __dir__() -> list[str]:
     return sorted(__all__)
 
 
+def _lesson_bundle(lesson: Any, **options: Any) -> Any:
+    """Return what a cell that ends in a lesson shows; what that needs is loaded here."""
+    return import_module("dhlab.panel.lesson_view").lesson_mimebundle(lesson, **options)
+
+
 if "IPython" in sys.modules:  # a handle as the last expression of a cell shows itself
-    import_module("dhlab.view.display").register()
+    lesson = ("dhlab.lessons.lesson", _lesson_bundle)
+    import_module("dhlab.view.display").register(Lesson=lesson)
+    del lesson

@@ -79,14 +79,9 @@ class Turn:
     @property
     def words(self) -> str:
         """The move in a sentence."""
-        whose = frame_words(self, "axis")
-        which = self.letter if self.letter in AXES else vector_text(self.axis)
-        return (
-            f"'{self.what.name}' turns by {np.degrees(self.angle):.4g}° about the "
-            f"{which}-axis {whose}"
-            if self.letter in AXES
-            else f"'{self.what.name}' turns by {np.degrees(self.angle):.4g}° about {which} {whose}"
-        )
+        amount = f"{np.degrees(self.angle):.4g}°"
+        axis = f"{self.letter}-axis" if self.letter in AXES else f"axis {vector_text(self.axis)}"
+        return f"'{self.what.name}' turns by {amount} about {whose(self, axis)}"
 
     @property
     def _axis(self) -> str:
@@ -150,12 +145,12 @@ class Slide:
     @property
     def words(self) -> str:
         """The move in a sentence."""
-        whose = frame_words(self, "axes")
         along = np.flatnonzero(np.abs(self.vector) > 1e-12)
         if len(along) == 1:
-            length = f"{self.vector[along[0]]:.4g} m along the {'xyz'[along[0]]}-axis"
-            return f"'{self.what.name}' slides by {length} {whose}"
-        return f"'{self.what.name}' slides by {vector_text(self.vector)} m {whose}"
+            amount, axis = self.vector[along[0]], f"{'xyz'[along[0]]}-axis"
+            return f"'{self.what.name}' slides by {amount:.4g} m along {whose(self, axis)}"
+        axes = whose(self, "axes")
+        return f"'{self.what.name}' slides by {vector_text(self.vector)} m, told in {axes}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -234,7 +229,7 @@ def turn(
     --------
     >>> from dhlab import csys, deg
     >>> turn(csys(name="B"), "z", 90 * deg).words
-    "'B' turns by 90° about the z-axis of its own"
+    "'B' turns by 90° about its own z-axis"
     """
     check_placed(what, "turn")
     frame, fixed = _frame(about, "about")
@@ -338,11 +333,11 @@ def frame_of(move: Turn | Slide, state: State) -> NDArray[np.float64] | None:
     return state.get(move.about, move.about.world_pose)
 
 
-def frame_words(move: Turn | Slide, axes: str) -> str:
-    """Say whose axes a move goes by."""
+def whose(move: Turn | Slide, axis: str) -> str:
+    """Say whose axis a move goes by."""
     if move.fixed:
-        return "of the world"
-    return "of its own" if move.about is None else f"of '{move.about.name}'"
+        return f"the {axis} of the world"
+    return f"its own {axis}" if move.about is None else f"the {axis} of '{move.about.name}'"
 
 
 def vector_text(vector: NDArray[np.float64]) -> str:

@@ -103,7 +103,7 @@ class Step:
     >>> from dhlab.lessons import Choice, Step, turn
     >>> B = csys(name="B")
     >>> Step("A turn", "About its own axis.", turn(B, "z", 90 * deg)).words
-    "'B' turns by 90° about the z-axis of its own."
+    "'B' turns by 90° about its own z-axis."
     """
 
     title: str

@@ -1,6 +1,7 @@
 """How handles are shown: by a call, or as the last expression of a cell."""
 
 import sys
+from collections.abc import Callable
 from typing import Any
 
 from dhlab.scene.handle import Handle
@@ -52,12 +53,21 @@ def handle_mimebundle(handle: Handle, include: Any = None, exclude: Any = None) 
     return bundle
 
 
-def register() -> None:
+def register(**others: tuple[str, Callable[..., dict[str, Any]]]) -> None:
     """Let handles show themselves as the last expression of a cell, if IPython runs.
 
     ``dhlab/__init__.py`` calls this, so that the scene needs to know nothing of views.
+
+    Parameters
+    ----------
+    **others
+        Other classes by name, each with its module and what gives its MIME bundle: classes that
+        need not be loaded yet.
     """
     ipython = sys.modules.get("IPython")
     shell = None if ipython is None else ipython.get_ipython()
     if shell is not None:
-        shell.display_formatter.mimebundle_formatter.for_type(Handle, handle_mimebundle)
+        formatter = shell.display_formatter.mimebundle_formatter
+        formatter.for_type(Handle, handle_mimebundle)
+        for name, (module, bundle) in others.items():
+            formatter.for_type_by_name(module, name, bundle)

@@ -42,6 +42,7 @@ def save(
     handles: Sequence[Handle],
     nodes: Mapping[str, Node],
     options: Mapping[str, Any],
+    lesson: Mapping[str, Any] | None = None,
 ) -> Path:
     """Write a page that shows a scene; return where.
 
@@ -56,6 +57,9 @@ def save(
         What is seen of them.
     options : mapping
         Of the view.
+    lesson : mapping, optional
+        A lesson as `dhlab.view.lesson_html.rendered` tells it; its bar stands in place of
+        sliders.
 
     Raises
     ------
@@ -67,11 +71,18 @@ def save(
         raise InputError(f"the title of a page must be text, not empty, got {title!r}")
     if not handles:
         raise InputError("there is nothing to save: the view shows no handle; add one first")
-    place.write_text(page(title, handles, Wire(nodes).snapshot(), options), encoding="utf-8")
+    text = page(title, handles, Wire(nodes).snapshot(), options, lesson)
+    place.write_text(text, encoding="utf-8")
     return place
 
 
-def page(title: str, handles: Iterable[Handle], snapshot: bytes, options: Mapping[str, Any]) -> str:
+def page(
+    title: str,
+    handles: Iterable[Handle],
+    snapshot: bytes,
+    options: Mapping[str, Any],
+    lesson: Mapping[str, Any] | None = None,
+) -> str:
     """Return a page that shows a scene, with sliders for the robots among its handles.
 
     Parameters
@@ -83,21 +94,25 @@ def page(title: str, handles: Iterable[Handle], snapshot: bytes, options: Mappin
         The scene, as `dhlab.view.wire.Wire` has it.
     options : mapping
         Of the view: `height`, `background`, `grid`, `controls`.
+    lesson : mapping, optional
+        As in `save`.
 
     Returns
     -------
     text : str
         HTML with everything that it needs.
     """
-    robots = [_robot(component) for component in components(handles)]
-    about = {"name": title, "options": dict(options), "robots": robots}
+    robots = [] if lesson else [_robot(component) for component in components(handles)]
+    about = {"name": title, "options": dict(options), "robots": robots, "lesson": lesson}
     meshcat, start = assets.meshcat(), assets.bundle("unpack")
     viewer = f'(() => {{\n"use strict";\n{assets.bundle("standalone")}}})();\n'
     return Template(_static("standalone.html")).substitute(
         policy=POLICY.format(" ".join(map(_hash, (start, meshcat, viewer)))),
         title=escape(title),
-        style=_static("standalone.css"),
-        hidden="" if robots else " hidden",
+        style=_static("standalone.css") + (_static("lesson.css") if lesson else ""),
+        body=' class="dhlab-lesson"' if lesson else "",
+        hidden="" if robots or lesson else " hidden",
+        heading="" if lesson else f"<h1>{escape(title)}</h1>",
         about=_json(about),
         scene=_packed(snapshot),
         viewer=_packed(viewer.encode()),

@@ -117,6 +117,11 @@ class View:
                 self._backend = self._shown
             return self._shown.widget
 
+    @property
+    def options(self) -> Mapping[str, Any]:
+        """How it is shown: `height`, `background`, `grid`, `controls`."""
+        return dict(self._options)
+
     def add(self, *handles: Handle) -> Self:
         """Show handles; those that are shown already stay as they are.
 

@@ -25,6 +25,8 @@ export class Player {
     this.playing = false;
     this.speed = habits.speed;
     this.loop = habits.loop;
+    /** What a lesson's bars know of each step, by its number. */
+    this.notes = new Map();
     /** How often somebody has played or sought: what a slider released is then taken up again. */
     this.takes = 0;
   }
@@ -113,6 +115,11 @@ export class Player {
 
   setSpeed(speed) {
     this.speed = habits.speed = speed;
+    this.#tell();
+  }
+
+  note(k, what) {
+    this.notes.set(k, what);
     this.#tell();
   }
 

@@ -3,6 +3,7 @@
  * reach it over the page. `unpack.js` calls it.
  */
 import { Connection } from "./connection.js";
+import { LessonBar } from "./lessonbar.js";
 import { sharedPage } from "./page.js";
 import { Sliders } from "./sliders.js";
 
@@ -25,8 +26,11 @@ class File {
   off() {}
 }
 
-globalThis[Symbol.for("dhlab.open")] = ({ name, options, robots }, scene) => {
+globalThis[Symbol.for("dhlab.open")] = ({ name, options, robots, lesson }, scene) => {
   const connection = new Connection(new File({ name, scene }));
   connection.open(document.getElementById("picture"), options);
-  new Sliders(document.getElementById("sliders"), robots, sharedPage());
+  if (lesson) {
+    const bar = new LessonBar(document.getElementById("sliders"), lesson, { at() {}, answer() {} });
+    bar.element.focus({ preventScroll: true });
+  } else new Sliders(document.getElementById("sliders"), robots, sharedPage());
 };

@@ -7,6 +7,9 @@ import { THREE } from "./meshcat.js";
 import { shownPose, toMatrix4 } from "./motion.js";
 import { Pool } from "./pool.js";
 
+/** In pictures higher than this [pixel] labels grow with the picture: for a lecture hall. */
+const LABELS_GROW_FROM = 600;
+
 export class Tree {
   #entries = new Map();
 
@@ -75,7 +78,8 @@ export class Tree {
   /** Lines and labels keep their size on the screen: tell them its size and the camera's. */
   resize(width, height, fov) {
     this.workshop.resolution.value.set(width, height);
-    this.workshop.unit = (2 * Math.tan((fov * Math.PI) / 360)) / height;
+    const grown = Math.min(Math.max(height / LABELS_GROW_FROM, 1), 2.4);
+    this.workshop.unit = (grown * 2 * Math.tan((fov * Math.PI) / 360)) / height;
     for (const { body } of this.#entries.values()) body?.resize?.();
   }
 

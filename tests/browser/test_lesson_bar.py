@@ -1,6 +1,7 @@
 """A lesson in a real page: keys, scrubbing, predictions, the lecture hall, no kernel."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -45,8 +46,7 @@ class Bar:
         self.notebook, self.page = notebook, notebook.page
         self.bar = self.page.locator(".dhlab-bar").nth(number)
         self.bar.wait_for()
-        self.clock = None
-        self.page.wait_for_function(f"() => {PAGE}.players.size > {number}", timeout=60_000)
+        self.bar.locator("h4", has_text=re.compile(r"\S")).wait_for(timeout=60_000)
 
     def player(self, what, clock):
         return self.page.evaluate(f"(key) => {PAGE}.players.get(key).{what}", clock)

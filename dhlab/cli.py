@@ -21,6 +21,8 @@ examples:
   dhlab lab --dir FOLDER               keep your copy of them in FOLDER
   dhlab lab --no-browser --port 8890   start the server only, at this port
   dhlab export upper_limb -o limb.html   write a model as a page with sliders
+  dhlab export puma --lesson -o puma.html   write the lesson of its table, step by step
+  dhlab export order_matters -o order.html   write a lesson of the course
   dhlab COMMAND --help                 all about one command\
 """
 LAB = """\
@@ -31,7 +33,8 @@ not changed are brought up to date. What you have changed is never overwritten: 
 afresh, delete or rename your copy and run this command again.\
 """
 EXPORT = """\
-Write a model of dhlab.models as one HTML file: the picture, sliders, and nothing else needed.
+Write a model of dhlab.models or a lesson of dhlab.lessons.course as one HTML file: the picture,
+sliders or steps, and nothing else needed.
 
 The page opens from disk by double click, offline, on a phone too.\
 """
@@ -109,16 +112,23 @@ def add_export(commands: "Commands") -> None:
     """Add `dhlab export`."""
     export = commands.add_parser(
         "export",
-        help="write a model as one HTML file that needs nothing else",
+        help="write a model or a lesson as one HTML file that needs nothing else",
         description=EXPORT,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    export.add_argument("model", metavar="MODEL", help="a name in dhlab.models such as upper_limb")
+    export.add_argument(
+        "name", metavar="NAME", help="of a model such as upper_limb, or a lesson such as detour"
+    )
     export.add_argument("-o", "--out", required=True, type=Path, metavar="FILE")
     export.add_argument(
         "--look",
         choices=("user", "solid", "stick"),
         help="what is drawn",
+    )
+    export.add_argument(
+        "--lesson",
+        action="store_true",
+        help="of a model: the lesson that walks through its table",
     )
     export.set_defaults(run=run_export)
 
@@ -142,18 +152,27 @@ def run_lab(options: argparse.Namespace) -> int:
 
 
 def run_export(options: argparse.Namespace) -> int:
-    """Write a page that shows one model."""
+    """Write a page that shows one model, or one lesson."""
     import dhlab.models as models
+    from dhlab.lessons.course import LESSONS
+    from dhlab.lessons.dh_steps import dh_lesson
+    from dhlab.panel.lesson_view import LessonView
     from dhlab.view.view import View
 
-    if options.model not in models.__all__:
-        choices = ", ".join(models.__all__)
-        raise InputError(f"no model {options.model!r} in dhlab.models; there are {choices}")
-    robot = getattr(models, options.model)()
-    if options.look is not None:
-        robot.look = options.look
-    view = View(options.model).add(robot)
-    place = view.save_html(options.out.expanduser(), options.model.replace("_", " "))
+    name, out = options.name, options.out.expanduser()
+    if name in LESSONS:
+        place = LessonView(LESSONS[name]()).save_html(out)
+    elif name in models.__all__:
+        robot = getattr(models, name)()
+        if options.look is not None:
+            robot.look = options.look
+        if options.lesson:
+            place = LessonView(dh_lesson(robot)).save_html(out)
+        else:
+            place = View(name).add(robot).save_html(out, name.replace("_", " "))
+    else:
+        choices = f"models {', '.join(models.__all__)}; lessons {', '.join(LESSONS)}"
+        raise InputError(f"no model or lesson {name!r}; there are {choices}")
     print(f"dhlab: wrote {place} ({place.stat().st_size / 1e6:.1f} MB)")
     return 0
 

@@ -50,7 +50,7 @@ class Guess(Handle):
         When it is seen.
     """
 
-    __slots__ = ("_joints", "_q", "_size", "_span", "limits")
+    __slots__ = ("_joints", "_label", "_q", "_size", "_span", "limits")
 
     kind = "guess"
 
@@ -60,6 +60,7 @@ class Guess(Handle):
 
     def __init__(self, name: str, size: float, start: NDArray[np.float64], span: Span) -> None:
         super().__init__(name)
+        self._label = self.name.partition("?")[0] + "?"
         roll, pitch, yaw = r2rpy(start[:3, :3])
         self._q = read_only([*start[:3, 3], yaw, pitch, roll])
         self._size = size
@@ -94,7 +95,7 @@ class Guess(Handle):
             path = f"{path}/{letter}"
             nodes[path] = Node(pose=TURNED[axis], joint=joint, value=float(value))
         return nodes | frame_nodes(
-            path, self._size, name=self.name, labelled="xyz", subscript="?", opacity=0.6
+            path, self._size, name=self._label, labelled="xyz", subscript="?", opacity=0.6
         )
 
     def __repr__(self) -> str:

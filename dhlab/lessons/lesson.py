@@ -280,15 +280,15 @@ class Lesson:
             bar.lesson_changed(self)
 
     def _make_guesses(self) -> dict[int, Guess]:
-        guesses = {}
+        guesses: dict[int, Guess] = {}
         for k, step in enumerate(self.steps, start=1):
             if isinstance(step.question, Place):
                 what = step.question.what
                 before = self._timeline.states[k - 1][what]
                 stops = self.clock.stops
                 span = Span(self.clock, stops[k - 1] - 1e-6, stops[k])
-                guesses[k] = Guess(f"{what.name}?", axis_length(what), before, span)
-                guesses[k].name = f"{what.name}?" if len(guesses) == 1 else f"{what.name}? {k}"
+                name = f"{what.name}?" if not guesses else f"{what.name}? {k}"
+                guesses[k] = Guess(name, axis_length(what), before, span)
         return guesses
 
     def _make_marks(self, keep: int | None) -> dict[Placed, dict[str, Node]]:

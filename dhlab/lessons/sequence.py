@@ -59,7 +59,7 @@ def sequence_lesson(
     >>> from dhlab import deg
     >>> lesson = sequence_lesson([("z", 90 * deg), ("x", 90 * deg)])
     >>> lesson.go(2).steps[1].title
-    '2. Turn by 90° about x'
+    'Turn by 90° about x'
     >>> M, F, *_ = lesson.handles
     >>> np.allclose(M.pose[:3, :3], F.pose[:3, :3])
     False
@@ -79,7 +79,7 @@ def sequence_lesson(
     for k, word in enumerate(words, start=1):
         own, other, said = _both(word, k, moving, fixed, zeros[1])
         factors.append(own.latex)
-        steps.append(Step(f"{k}. {said}", _text(said, factors), own, other, question=asked[k - 1]))
+        steps.append(Step(said, _text(said, factors), own, other, question=asked[k - 1]))
     steps.append(Step("What came out", _end(factors)))
     return Lesson(title, steps, handles=[moving, fixed, *zeros], keep=1, product=moving)
 

@@ -47,10 +47,13 @@ def _question(question: dict[str, Any]) -> dict[str, Any]:
 
 
 def _product(product: dict[str, Any]) -> dict[str, Any]:
+    """Return a product to show; what is a whole pose in one factor shows its numbers alone."""
+    factors = product["factors"]
+    whole = len(factors) == 1 and factors[0]["latex"] == product["label"]
     return {
         "label_html": formula(product["label"]),
         "of": product["of"],
         "relative": product["relative"],
         "added": product["added"],
-        "factors": [{"html": formula(factor["latex"])} for factor in product["factors"]],
+        "factors": [{"html": formula(factor["latex"])} for factor in factors if not whole],
     }

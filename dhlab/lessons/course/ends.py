@@ -53,7 +53,7 @@ def base_and_tool() -> Lesson:
     """Make a lesson: base and tool are no rows of the table."""
     base = transl((0.4, 0, 0.7))
     tool = rp2t(rotx(90 * deg), (0.8, 0, 0))
-    table = cuboid(1.0, 0.8, 0.7, name="table", color="#c9b28f").move((0.4, 0, 0))
+    table = cuboid(1.0, 0.8, 0.7, name="table", color="#c9b28f", opacity=0.45).move((0.4, 0, 0))
     arm = planar_arm().set(base=base, q=[30 * deg, 40 * deg], opacity=PALE, grasper=tool)
     W, F = csys(name="W", size=0.5), csys(name="F", size=0.4)
     carrier = arm.frames()["arm/2"]

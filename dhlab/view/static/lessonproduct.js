@@ -23,7 +23,7 @@ export class LessonProduct {
     this.element.replaceChildren();
     if (!product) return;
     const formula = create("div", "dhlab-factors");
-    formula.append(span(product.label_html), "=");
+    formula.append(span(product.label_html), ...(product.factors.length ? ["="] : []));
     product.factors.forEach((factor, i) => {
       const made = span(factor.html, "factor");
       made.classList.toggle("added", i === product.added);

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from dhlab.arrays import as_config, as_configs, as_limits, as_placement
 from dhlab.errors import InputError, LimitError
 from dhlab.kinematics.chain import Chain
-from dhlab.scene import robot_look, setting
+from dhlab.scene import dimensions, robot_look, setting
 from dhlab.scene.handle import CHANGES
 from dhlab.scene.marks import Trail
 from dhlab.scene.node import Clock, Color, Curve, Joint, Node
@@ -72,6 +72,7 @@ class Component:
         "_chain",
         "_color",
         "_curves",
+        "_dimensions",
         "_drawn",
         "_edges",
         "_frame_size",
@@ -135,6 +136,11 @@ class Component:
     show_csys: Setting[bool] = Setting(
         setting.flag, "bool: whether the joints' coordinate systems are drawn."
     )
+    dimensions: Setting[dimensions.Selection | None] = Setting(
+        dimensions.as_selection,
+        "None, a row of the table whose four numbers are drawn as dimensions, from 1, or the row "
+        "and one of 'alpha', 'a', 'd', 'theta' that is lit up: ``(2, 'alpha')``.",
+    )
 
     def __init__(self, robot: Robot, chain: Chain) -> None:
         self._robot = robot
@@ -149,6 +155,7 @@ class Component:
         self._grasper_size: float | None = None
         self._frame_size: float | None = None
         self._show_csys = False
+        self._dimensions: dimensions.Selection | None = None
         self._parts: dict[int, Block | BlockComplex] = {}
         self._joints = joints_of(chain, tuple(os.urandom(6).hex() for _ in range(chain.n)))
         self._drawn: tuple[object, dict[int, dict[str, Node]]] | None = None
@@ -241,6 +248,9 @@ class Component:
         chain: Chain = checked.get("chain", self._chain)
         if fields:
             chain = checked["chain"] = chain.replace(**fields)
+        dimensions.check_row(
+            checked.get("dimensions", self._dimensions), chain, f"dimensions of '{self.name}'"
+        )
         if "q" in checked:
             checked["q"] = chain.check(checked["q"], self.name)
         elif chain is not self._chain:

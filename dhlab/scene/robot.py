@@ -50,6 +50,7 @@ class Robot(Handle):
     q = Joined("q")
     limits = Joined("limits")
     base = Own("base")
+    dimensions = Own("dimensions")
     chain = Own("chain")
     grasper = Own("grasper")
     color = Common("color")

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from itertools import accumulate
 from typing import TYPE_CHECKING
 
+from dhlab.scene.dimensions import dimension_nodes
 from dhlab.scene.node import Node
 
 if TYPE_CHECKING:
@@ -25,8 +26,9 @@ class Description:
 
     def __init__(self, robot: Robot, path: str) -> None:
         self.path = path
-        joints = joint_paths(robot, path)
-        self._joints = [(c, c.chain.offset, c.n * (None,), paths) for c, paths in joints]
+        joints = list(joint_paths(robot, path))
+        self._joints = [(c, c.chain.offset, c.n * (None,), paths[1:]) for c, paths in joints]
+        self._measured = [(c, paths) for c, paths in joints if c.dimensions is not None]
         self._nodes = robot_nodes(robot, path)
 
     def nodes(self) -> dict[str, Node]:
@@ -39,14 +41,20 @@ class Description:
                 node = nodes[path]
                 if node.value != value or node.curve is not curve:
                     nodes[path] = Node(node.pose, node.joint, value, curve=curve)
-        return nodes.copy()
+        nodes = nodes.copy()
+        for component, paths in self._measured:
+            selection, size = component.dimensions, component.frame_size
+            if selection is not None:
+                chain, q = component.chain, component.q
+                nodes |= dimension_nodes(selection, chain, q, size, paths)
+        return nodes
 
 
 def joint_paths(robot: Robot, path: str) -> Iterator[tuple[Component, list[str]]]:
-    """Go through all components that have joints, and the paths of the joints' nodes."""
+    """Go through all components that have joints, and the paths of their base and joints."""
     frames = list(accumulate(range(1, robot.own.n + 1), "{}/{}".format, initial=path))
     if robot.own.n:
-        yield robot.own, frames[1:]
+        yield robot.own, frames
     for at, child in robot.joints_at:
         yield from joint_paths(child, f"{frames[at]}/{child.name}")
 

@@ -64,7 +64,7 @@ if TYPE_CHECKING:
         slide,
         turn,
     )
-    from dhlab.panel import LessonView, Panel, side_by_side
+    from dhlab.panel import LessonView, Panel, TableEditor, side_by_side
     from dhlab.view import View, show
 
 ON_FIRST_USE = {
@@ -75,6 +75,7 @@ ON_FIRST_USE = {
     "Place": "dhlab.lessons",
     "PlannedMotion": "dhlab.animation",
     "Step": "dhlab.lessons",
+    "TableEditor": "dhlab.panel",
     "Trajectory": "dhlab.kinematics.trajectory",
     "Typeset": "dhlab.kinematics.typeset",
     "View": "dhlab.view",
@@ -117,6 +118,7 @@ __all__ = [
     "PlannedMotion",
     "Robot",
     "Step",
+    "TableEditor",
     "Trajectory",
     "Typeset",
     "View",

@@ -7,14 +7,15 @@ from IPython import get_ipython
 
 from dhlab.errors import InputError
 from dhlab.panel.panel import Panel
+from dhlab.panel.table_editor import TableEditor
 from dhlab.view.outputs import outputs_of
 from dhlab.view.view import WIDGET, View
 
 
 class Beside:
-    """A view with a panel to its right; `side_by_side` makes it."""
+    """A view with a panel or a table editor to its right; `side_by_side` makes it."""
 
-    def __init__(self, view: View, panel: Panel) -> None:
+    def __init__(self, view: View, panel: Panel | TableEditor) -> None:
         self._view = view
         self._panel = panel
         self._box: ipywidgets.HBox | None = None
@@ -25,7 +26,7 @@ class Beside:
         return self._view
 
     @property
-    def panel(self) -> Panel:
+    def panel(self) -> Panel | TableEditor:
         """What is shown on the right."""
         return self._panel
 
@@ -54,13 +55,13 @@ class Beside:
         return bundle
 
 
-def side_by_side(view: View, panel: Panel) -> Beside:
-    """Show a view and a panel beside each other; a cell that ends in this call shows them.
+def side_by_side(view: View, panel: Panel | TableEditor) -> Beside:
+    """Show a view and a panel, or a table editor, beside each other: the last line of a cell.
 
     Parameters
     ----------
     view : View
-    panel : Panel
+    panel : Panel or TableEditor
 
     Returns
     -------
@@ -83,7 +84,7 @@ def side_by_side(view: View, panel: Panel) -> Beside:
     ...
     dhlab.errors.InputError: side_by_side needs a view and a panel, got a Robot and a Panel
     """
-    if not isinstance(view, View) or not isinstance(panel, Panel):
+    if not isinstance(view, View) or not isinstance(panel, Panel | TableEditor):
         given = f"a {type(view).__name__} and a {type(panel).__name__}"
         raise InputError(f"side_by_side needs a view and a panel, got {given}")
     return Beside(view, panel)

@@ -5,6 +5,7 @@
  * The sliders are ipywidgets' own. Their models are set here without a word to the kernel; what
  * the user does goes to the kernel as the newest state only.
  */
+import { copyText } from "./clipboard.js";
 import { keepListening } from "./listening.js";
 import { sharedPage } from "./page.js";
 
@@ -198,18 +199,6 @@ function fold(title, layout) {
   title.on("change:value", follow);
 }
 
-async function copy(text) {
-  try {
-    await navigator.clipboard.writeText(text);
-  } catch {
-    const area = document.createElement("textarea");
-    area.value = text;
-    document.body.append(area);
-    area.select();
-    document.execCommand("copy");
-    area.remove();
-  }
-}
 
 export default () => {
   let ready = null;
@@ -217,7 +206,7 @@ export default () => {
     initialize({ model }) {
       keepListening(model).catch(() => {}); // a page without a kernel has nothing to hear
       const find = (id) => model.widget_manager.get_model(id);
-      model.on("msg:custom", ({ text }) => text && copy(text));
+      model.on("msg:custom", ({ text }) => text && copyText(text));
       ready = (async () => {
         const sliders = await Promise.all(model.get("sliders").map(find));
         for (const [title, layout] of model.get("folds")) fold(await find(title), await find(layout));

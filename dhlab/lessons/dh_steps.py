@@ -140,7 +140,7 @@ def _joint_steps(member: Robot, i: int, F: Csys, prefix: str) -> Iterator[Step]:
         moves.append(_move(F, parameter, values[parameter]))
         about = {
             "table": table | {"row": i - 1, "cell": COLUMNS.index(parameter)},
-            "product": _product(moves, i, _frame(member, i - 1)),
+            "product": _product(moves, i, _frame(member, i - 1), chain.convention),
             "joint": i,
             "parameter": parameter,
         }
@@ -162,9 +162,22 @@ def _move(F: Csys, parameter: Parameter, value: float) -> Turn | Slide:
     return slide(F, vector, label=f"{letter} = {value:.4g} m")
 
 
-def _product(moves: list[Turn | Slide], i: int, start: NDArray[np.float64]) -> dict[str, Any]:
+def _latex(move: Turn | Slide, parameter: Parameter) -> str:
+    """Return a factor; of a number that is 0 too it says which axis it goes by."""
+    if isinstance(move, Turn):
+        return move.latex
+    axis = ALONG[parameter]
+    return f"D_{axis}({move.vector['xyz'.index(axis)]:.4g})"
+
+
+def _product(
+    moves: list[Turn | Slide], i: int, start: NDArray[np.float64], convention: str
+) -> dict[str, Any]:
     """Return the product from frame i-1 on, as far as it has come."""
-    factors = [{"latex": move.latex, "matrix": move.motion.tolist()} for move in moves]
+    factors = [
+        {"latex": _latex(move, parameter), "matrix": move.motion.tolist()}
+        for move, parameter in zip(moves, ORDER[convention], strict=False)
+    ]
     return {
         "label": rf"T_{{{i - 1},{i}}}",
         "of": moves[0].what.name,

@@ -149,6 +149,8 @@ class Slide:
         if len(along) == 1:
             amount, axis = self.vector[along[0]], f"{'xyz'[along[0]]}-axis"
             return f"'{self.what.name}' slides by {amount:.4g} m along {whose(self, axis)}"
+        if len(along) == 0:
+            return f"'{self.what.name}' stays where it is"
         axes = whose(self, "axes")
         return f"'{self.what.name}' slides by {vector_text(self.vector)} m, told in {axes}"
 

@@ -44,7 +44,8 @@ REST = """() => {
 def shows_a_picture(cell):
     """Whether the output of a cell, as Jupyter keeps it, is a view or contains one."""
     texts = [str(out.get("data", {}).get("text/plain", "")) for out in cell["outputs"]]
-    return any("View(" in text or text.startswith(("Block", "Robot", "Csys")) for text in texts)
+    shown = ("Block", "Robot", "Csys", "Lesson")
+    return any("View(" in text or text.startswith(shown) for text in texts)
 
 
 @pytest.fixture(scope="module", params=NOTEBOOKS)

@@ -176,6 +176,12 @@ def block_motion(
     InputError
         As `animate`.
 
+    Examples
+    --------
+    >>> from dhlab import cube, transl
+    >>> block_motion({cube(1): [transl((x, 0, 0)) for x in (0, 1, 2)]}, delay=0.5)
+    Motion of block: 3 steps in 1.00 s
+
     References
     ----------
     Pajak, section 3.3.

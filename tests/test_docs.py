@@ -3,6 +3,7 @@
 import ast
 import importlib
 import inspect
+import json
 import os
 import re
 import subprocess
@@ -104,3 +105,28 @@ def test_the_code_of_the_readme_runs(tmp_path):
     env = os.environ | {"DHLAB_VIEW": "record", "PYTHONPATH": str(ROOT)}
     done = subprocess.run(run, cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+FOUND_BY_OTHERS = {
+    *("Handle", "AttachError", "DhlabError", "InputError", "PlannedMotion", "Component"),
+    *("Branch", "DHRow", "Robot", "shapes"),
+}
+"""Bases, errors, a module, and what other functions make: seen with those."""
+
+
+def shown_in_notebooks():
+    """Code of all cells of all notebooks."""
+    cells = (
+        cell
+        for path in sorted((ROOT / "notebooks").glob("*.ipynb"))
+        for cell in json.loads(path.read_text("utf-8"))["cells"]
+    )
+    return "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "code")
+
+
+@pytest.mark.parametrize("name", dhlab.__all__)
+def test_every_public_name_is_shown_with_an_example_or_in_a_notebook(name):
+    text = getattr(dhlab, name).__doc__ or ""
+    used = re.search(rf"\b{name}\b", shown_in_notebooks())
+    made_by = re.search(r"made by `(\w+)`", text)
+    assert ">>>" in text or used or made_by or name in FOUND_BY_OTHERS, name

@@ -288,6 +288,12 @@ def move_to(what: Placed, pose: ArrayLike) -> MoveTo:
     Returns
     -------
     move : MoveTo
+
+    Examples
+    --------
+    >>> from dhlab import csys
+    >>> move_to(csys(name="B"), (1, 0, 0)).pose[:3, 3]
+    array([1., 0., 0.])
     """
     check_placed(what, "move_to")
     return MoveTo(what, as_placement(pose, f"pose of '{what.name}'", what.pose))
@@ -310,6 +316,12 @@ def configure(what: Robot, q: ArrayLike) -> Configure:
     ------
     LimitError
         The configuration is outside the limits.
+
+    Examples
+    --------
+    >>> from dhlab import dh, robot
+    >>> configure(robot([dh(0, 0, 0, 0)], "r"), [0.5]).q
+    array([0.5])
     """
     if not isinstance(what, Robot):
         raise TypeError(f"configure moves a robot, not a {type(what).__name__}")

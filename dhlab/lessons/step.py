@@ -29,6 +29,11 @@ class Choice:
         Place of the right one, from 0.
     because : str
         Said when it has been answered.
+
+    Examples
+    --------
+    >>> Choice("Does the order matter?", ["yes", "no"], answer=0).choices
+    ('yes', 'no')
     """
 
     text: str
@@ -62,6 +67,12 @@ class Place:
         How near counts as right.
     because : str
         Said when it has been answered.
+
+    Examples
+    --------
+    >>> from dhlab import csys
+    >>> Place("Where will it be?", csys(name="B")).tolerance
+    (0.1, 0.2)
     """
 
     text: str

@@ -52,7 +52,12 @@ class Bar:
         return self.page.evaluate(f"(key) => {PAGE}.players.get(key).{what}", clock)
 
     def press(self, key):
-        self.bar.focus()
+        """Press a key on the bar, once it has the focus: a notebook takes it after a cell ran."""
+        for _ in range(50):
+            self.bar.focus()
+            self.page.wait_for_timeout(30)
+            if self.bar.evaluate("(bar) => document.activeElement === bar"):
+                break
         self.page.keyboard.press(key)
 
     def at_rest(self, clock, k):

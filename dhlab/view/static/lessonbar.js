@@ -150,6 +150,8 @@ export class LessonBar {
     });
     this.element.append(this.#buildHead(), this.steps.element, this.controls.element, this.#buildBody());
     element.append(this.element);
+    this.element.addEventListener("keydown", this.#onKey);
+    // What view and bar stand in together is known once the bar is in the page.
     requestAnimationFrame(() => {
       this.#keyed = this.#frame;
       this.#keyed.addEventListener("keydown", this.#onKey, { capture: true });

@@ -1,0 +1,1 @@
+"""Exercises that say why, and the marking of a class."""

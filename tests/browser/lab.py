@@ -1,8 +1,8 @@
 """Notebooks in a real JupyterLab, driven and looked into by tests.
 
-`Notebook` runs code and finds the views; `Shown` looks into one view of a page: poses as three.js
-has them, pixels, buttons. A view is found through the page's own object,
-``globalThis[Symbol.for("dhlab.page")].views`` (see ``dhlab/view/static/page.js``).
+`Window` finds the views of a page, `Notebook` also runs code in its kernel; `Shown` looks into one
+view of a page: poses as three.js has them, pixels, buttons. A view is found through the page's own
+object, ``globalThis[Symbol.for("dhlab.page")].views`` (see ``dhlab/view/static/page.js``).
 """
 
 import base64
@@ -91,16 +91,38 @@ class Lab:
             self.request("DELETE", f"sessions/{session['id']}")
 
 
-class Notebook:
-    """A notebook that is open in a page."""
+class Window:
+    """A page that shows views, whatever serves it."""
 
-    def __init__(self, lab: Lab, page: Page, name: str) -> None:
-        self.lab = lab
+    def __init__(self, page: Page) -> None:
         self.page = page
-        self.name = name
         self.messages: list[str] = []
         page.on("console", lambda said: self.messages.append(f"{said.type}: {said.text}"))
         page.on("pageerror", lambda error: self.messages.append(f"error: {error}"))
+
+    def evaluate(self, script: str, argument: Any = None) -> Any:
+        """Value of JavaScript in the page."""
+        return self.page.evaluate(script, argument)
+
+    def views(self) -> int:
+        """How many views the page holds."""
+        return int(self.evaluate(f"{PAGE}?.views.length ?? 0"))
+
+    def view(self, name: str = "view", stage: int = -1, seconds: float = 30) -> "Shown":
+        """Return the newest view of this name once it stands in the page."""
+        shown = Shown(self, name, stage)
+        script = f"() => {shown.stage} !== undefined"
+        self.page.wait_for_function(script, timeout=1000 * seconds)
+        return shown
+
+
+class Notebook(Window):
+    """A notebook that is open in a page of JupyterLab."""
+
+    def __init__(self, lab: Lab, page: Page, name: str) -> None:
+        super().__init__(page)
+        self.lab = lab
+        self.name = name
         self.open()
 
     def open(self) -> None:
@@ -137,25 +159,11 @@ class Notebook:
         code = f"import json as _j, numpy as _n\nprint(_j.dumps(_n.asarray({expression}).tolist()))"
         return np.asarray(json.loads(self.execute(code)))
 
-    def evaluate(self, script: str, argument: Any = None) -> Any:
-        """Value of JavaScript in the page."""
-        return self.page.evaluate(script, argument)
-
-    def views(self) -> int:
-        """How many views the page holds."""
-        return int(self.evaluate(f"{PAGE}?.views.length ?? 0"))
-
-    def view(self, name: str = "view", stage: int = -1) -> "Shown":
-        """Return the newest view of this name once it stands in the page."""
-        shown = Shown(self, name, stage)
-        self.page.wait_for_function(f"() => {shown.stage} !== undefined", timeout=30_000)
-        return shown
-
 
 class Shown:
     """One output of one view in a page."""
 
-    def __init__(self, notebook: Notebook, name: str, stage: int) -> None:
+    def __init__(self, notebook: Window, name: str, stage: int) -> None:
         self.notebook = notebook
         self.connection = f"{PAGE}?.views.filter(v => v.name === {json.dumps(name)}).at(-1)"
         self.stage = f"{self.connection}?.stages.at({stage})"

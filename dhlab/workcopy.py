@@ -47,16 +47,28 @@ def shipped() -> dict[str, Path]:
     DhlabError
         If no notebooks came with this dhlab.
     """
-    package = Path(__file__).parent
-    home = next((p for p in (package, package.parent) if (p / "notebooks").is_dir()), None)
-    if home is None:
-        raise DhlabError(f"no notebooks lie in {package} nor beside it; install dhlab again")
+    place = home()
     return {
-        path.relative_to(home).as_posix(): path
-        for folder in (home / "notebooks", home / "exercises")
+        path.relative_to(place).as_posix(): path
+        for folder in (place / "notebooks", place / "exercises")
         for path in sorted(folder.rglob("*"))
-        if path.is_file() and _is_for_students(path.relative_to(home))
+        if path.is_file() and _is_for_students(path.relative_to(place))
     }
+
+
+def home() -> Path:
+    """Folder in which `notebooks` and `exercises` lie.
+
+    Raises
+    ------
+    DhlabError
+        If no notebooks came with this dhlab.
+    """
+    package = Path(__file__).parent
+    found = next((p for p in (package, package.parent) if (p / "notebooks").is_dir()), None)
+    if found is None:
+        raise DhlabError(f"no notebooks lie in {package} nor beside it; install dhlab again")
+    return found
 
 
 def refresh(folder: Path, sources: Mapping[str, Path]) -> Refreshed:

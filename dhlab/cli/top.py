@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from importlib.metadata import PackageNotFoundError, version
 
 from dhlab.cli.commands import Commands
+from dhlab.cli.exercise import add_exercise
 from dhlab.cli.export import add_export
 from dhlab.cli.lab import add_lab
 from dhlab.errors import DhlabError
@@ -19,10 +20,11 @@ examples:
   dhlab export upper_limb -o limb.html   write a model as a page with sliders
   dhlab export puma --lesson -o puma.html   write the lesson of its table, step by step
   dhlab export order_matters -o order.html   write a lesson of the course
+  dhlab exercise build exercises/      prove exercises and make their notebooks
   dhlab COMMAND --help                 all about one command\
 """
 
-COMMANDS: tuple[Callable[[Commands], None], ...] = (add_lab, add_export)
+COMMANDS: tuple[Callable[[Commands], None], ...] = (add_lab, add_export, add_exercise)
 """Each adds one command to the parser."""
 
 

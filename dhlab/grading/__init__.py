@@ -1,1 +1,15 @@
-"""Exercises that say why, and the marking of a class."""
+"""Exercises: what is asked, the check cell in the notebook, building and marking.
+
+An exercise is a folder with `exercise.py` (the whole notebook as text, with its answers),
+`checks.py` (the questions) and `wrong.py` (typical wrong answers and the diagnosis meant for each);
+`dhlab exercise build` makes the notebook for students from them.
+
+- `question`, `exercise`: what is asked; `judge`: from what came to points and a sentence
+- `check`, `tried`, `said`: the check cell
+- `source`, `build`, `trial`: from the text to the notebook, and its proof
+"""
+
+from dhlab.grading.check import checks
+from dhlab.grading.question import Question
+
+__all__ = ["Question", "checks"]

@@ -1,0 +1,63 @@
+"""Every exercise: blank, solved and wrong answers get the points and the words meant for them."""
+
+from pathlib import Path
+
+import nbformat
+import pytest
+
+from dhlab.grading.build import notebook_path, same
+from dhlab.grading.proof import (
+    ENOUGH,
+    Source,
+    blank_gets_nothing,
+    no_answer_left,
+    solution_passes,
+    wrong_is_explained,
+)
+from dhlab.grading.source import notebook_text
+
+ROOT = Path(__file__).parents[1]
+SOURCES = {path.parent.name: path.parent for path in sorted(ROOT.glob("exercises/*/exercise.py"))}
+
+
+@pytest.fixture(scope="module")
+def source(request):
+    """The texts of one exercise."""
+    return Source(SOURCES[request.param])
+
+
+def for_each():
+    """Run a test for each exercise, one after the other in one process."""
+    return pytest.mark.parametrize("source", SOURCES, indirect=True)
+
+
+@for_each()
+def test_the_released_notebook_is_up_to_date(source):
+    path = notebook_path(source.folder)
+    assert same(path.read_text("utf-8"), notebook_text(source.released)), "dhlab exercise build"
+    nbformat.validate(nbformat.read(path, as_version=4))
+
+
+@for_each()
+def test_a_blank_notebook_runs_to_its_end_and_gets_hints_and_no_points(source):
+    blank_gets_nothing(source)
+
+
+@for_each()
+def test_no_line_of_an_answer_is_left_in_the_released_notebook(source):
+    no_answer_left(source)
+
+
+@for_each()
+def test_the_answers_get_all_points_with_anybodys_numbers(source):
+    for student in (*source.students, "Ibn al-Haytham", "陳"):
+        solution_passes(source, student)
+
+
+@for_each()
+def test_typical_wrong_answers_get_no_points_and_the_diagnosis_meant_for_them(source):
+    assert len(source.wrong) >= ENOUGH
+    assert {wrong.name for wrong in source.wrong} == set(source.names)
+    for wrong in source.wrong:
+        for student in source.students[-2:]:
+            wrong_is_explained(source, wrong, student)

@@ -1,0 +1,161 @@
+"""Reading the code of a notebook out of whatever bytes came."""
+
+import contextlib
+import json
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from dhlab.errors import InputError
+from dhlab.grading.reading import MOST_CODE, read_notebook
+
+
+def notebook(*sources, nbformat=4, **metadata):
+    """Bytes of a notebook with these code cells."""
+    cells = [{"cell_type": "markdown", "source": "# Title"}]
+    cells += [{"cell_type": "code", "source": s, "outputs": [], "metadata": {}} for s in sources]
+    return json.dumps({"nbformat": nbformat, "metadata": metadata, "cells": cells}).encode()
+
+
+GOOD = notebook("a = 1", ["b = 2\n", "c = 3"])
+
+
+def test_code_cells_come_in_order_and_nothing_else():
+    assert read_notebook(GOOD).cells == ("a = 1", "b = 2\nc = 3")
+    assert read_notebook(GOOD).notes == ()
+
+
+@pytest.mark.parametrize("nbformat", [4, 99, None, "four"])
+def test_the_version_that_a_file_claims_does_not_count(nbformat):
+    assert read_notebook(notebook("a = 1", nbformat=nbformat)).cells == ("a = 1",)
+
+
+def test_version_3_is_read():
+    cells = [
+        {"cell_type": "code", "input": ["a = 1\n", "b = 2"], "language": "python"},
+        {"cell_type": "heading", "source": "no code"},
+    ]
+    old = {"nbformat": 3, "worksheets": [{"cells": cells}, {"cells": cells[:1]}], "metadata": {}}
+    assert read_notebook(json.dumps(old).encode()).cells == ("a = 1\nb = 2",) * 2
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])
+def test_marks_of_an_encoding_are_understood(encoding):
+    text = json.dumps(json.loads(notebook("gruß = 'ü'")), ensure_ascii=False)
+    assert read_notebook(text.encode(encoding)).cells == ("gruß = 'ü'",)
+
+
+def test_latin_1_is_read_and_noted():
+    text = json.dumps(json.loads(notebook("gruß = 'ü'")), ensure_ascii=False)
+    read = read_notebook(text.encode("latin-1"))
+    assert read.cells == ("gruß = 'ü'",)
+    assert read.notes == ("The file is not UTF-8; it was read as Latin-1.",)
+
+
+def test_cells_given_twice_stay_twice():
+    assert read_notebook(notebook("a = 1", "a = 1")).cells == ("a = 1", "a = 1")
+
+
+@pytest.mark.parametrize(
+    ("spec", "note"),
+    [
+        ({"name": "python3", "language": "python"}, None),
+        ({"name": "conda-env-robots-py", "language": "python"}, None),
+        ({"name": "python3"}, None),
+        ({}, None),
+        ({"name": "ir", "language": "R"}, "another kernel ('R')"),
+        ({"name": "julia-1.9"}, "the kernel 'julia-1.9'"),
+        ("python3", None),
+    ],
+)
+def test_another_kernel_is_noted_and_read(spec, note):
+    read = read_notebook(notebook("a = 1", kernelspec=spec))
+    assert read.cells == ("a = 1",)
+    assert (not read.notes) if note is None else (note in read.notes[0])
+
+
+def test_a_huge_saved_output_does_not_matter():
+    big = json.loads(GOOD)
+    big["cells"][1]["outputs"] = [{"output_type": "stream", "text": "x" * 5_000_000}]
+    assert read_notebook(json.dumps(big).encode()).cells == ("a = 1", "b = 2\nc = 3")
+
+
+def test_halves_of_characters_are_replaced():
+    assert read_notebook(
+        rb'{"cells": [{"cell_type": "code", "source": "a = \"\ud83d\""}]}'
+    ).cells == ('a = "?"',)
+
+
+def test_cells_that_are_none_are_passed_over():
+    odd = {"cells": [1, None, "text", {"cell_type": "code", "source": 5}, {}, [{}]]}
+    read = read_notebook(json.dumps(odd).encode())
+    assert read.cells == ()
+    assert read.notes == (
+        "A code cell without a text was passed over.",
+        "The notebook holds no code cell.",
+    )
+
+
+CONFLICT = GOOD.replace(b'"a = 1"', b'\n<<<<<<< HEAD\n"a = 1"\n=======\n"a = 2"\n>>>>>>> mine\n')
+BROKEN = {
+    "empty": (b"", "is empty"),
+    "blank": (b" \n\t", "is empty"),
+    "picture": (b"\x89PNG\r\n\x1a\n...", "is a PNG picture, not a notebook"),
+    "document": (b"%PDF-1.7", "is a PDF document, not a notebook"),
+    "archive": (b"PK\x03\x04....", "is a zip archive, not a notebook"),
+    "script": (b"import numpy as np\n", "is some other text, not a notebook"),
+    "page": (b"\n<!DOCTYPE html><html></html>", "is a web page, not a notebook"),
+    "binary": (bytes(range(128, 256)), "is some other text, not a notebook"),
+    "cut off in a string": (GOOD[: GOOD.index(b"b = 2")], "is cut off: it ends within line 1"),
+    "cut off after a comma": (GOOD[: GOOD.index(b", ") + 2], "is cut off"),
+    "cut off at the end": (GOOD[:-1], "is cut off"),
+    "conflict": (CONFLICT, r"has the marks of an unfinished merge \('<<<<<<<.*' in line 2\)"),
+    "comma": (b'{"cells": [],}', r"is damaged in line 1 \("),
+    "list": (b"[1, 2]", "not a notebook"),
+    "number": (b"17", "not a notebook"),
+    "no cells": (b'{"nbformat": 4}', "is not a notebook: it has no cells"),
+    "cells of another kind": (b'{"cells": {"a": 1}}', "is not a notebook: it has no cells"),
+    "deep": (b'{"cells": ' + b"[" * 100_000, "is nested too deeply"),
+    "long number": (b'{"cells": [' + b"9" * 5000 + b"]}", "a number too long"),
+    "many": (b'{"cells": [' + b"[]," * 2_000_001 + b"1]}", "more than 2 million lists"),
+    "much code": (notebook("x" * (MOST_CODE + 1)), "holds more than 2 MB of code"),
+}
+
+
+@pytest.mark.parametrize("kind", BROKEN)
+def test_what_cannot_be_read_is_one_phrase(kind):
+    content, words = BROKEN[kind]
+    with pytest.raises(InputError, match=words):
+        read_notebook(content)
+
+
+@given(st.binary(max_size=300) | st.integers(0, len(GOOD)).map(lambda n: GOOD[:n]))
+def test_no_bytes_raise_anything_else(content):
+    try:
+        read = read_notebook(content)
+    except InputError:
+        return
+    assert all(isinstance(cell, str) for cell in read.cells)
+
+
+json_values = st.recursive(
+    st.none() | st.booleans() | st.floats(allow_nan=False) | st.text(max_size=5),
+    lambda inner: (
+        st.lists(inner, max_size=3)
+        | st.dictionaries(
+            st.sampled_from(
+                ["cells", "source", "cell_type", "worksheets", "metadata", "kernelspec"]
+            ),
+            inner | st.just("code"),
+            max_size=4,
+        )
+    ),
+    max_leaves=12,
+)
+
+
+@given(json_values)
+def test_no_json_raises_anything_else(value):
+    with contextlib.suppress(InputError):
+        assert read_notebook(json.dumps(value).encode()).cells is not None

@@ -5,17 +5,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from dhlab.diagnosis.product import After
-from dhlab.diagnosis.values import Floats
+from dhlab.diagnosis.values import Floats, inverted
 from dhlab.diagnosis.verdict import Mistake, mistake
 from dhlab.kinematics.transforms import pose_of
 
 FRAMES = "Which frame does the matrix describe, and in which frame are its columns written?"
-
-
-def inverted(T: Floats) -> Floats:
-    """Inverse of poses, shape (..., 4, 4)."""
-    R = np.swapaxes(T[..., :3, :3], -1, -2)
-    return pose_of(R, -(R @ T[..., :3, 3, None])[..., 0])
 
 
 def transposed(T: Floats) -> Floats:

@@ -101,7 +101,7 @@ def _finished(t: Table, chain: Floats) -> Floats:
 
 def chain_slips(chain: Chain, table: bool = False) -> list[Slip[Table]]:
     """All slips for a chain; with `table` those that a table itself can show."""
-    slips = [*_numbers(chain), *_columns(chain), *_links(chain), *_joints(chain, table)]
+    slips = [*_numbers(chain), *_links(chain), *_columns(chain), *_joints(chain, table)]
     slips += _ends(chain)
     if not table:
         slips += [_after(m, change) for m, change in after_slips(rotation=False)]

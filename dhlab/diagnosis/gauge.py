@@ -13,8 +13,7 @@ from itertools import product
 
 import numpy as np
 
-from dhlab.diagnosis.after import inverted
-from dhlab.diagnosis.values import Floats
+from dhlab.diagnosis.values import Floats, inverted
 from dhlab.kinematics.angles import angvec2r
 from dhlab.kinematics.chain import Chain
 from dhlab.kinematics.transforms import pose_of

@@ -10,7 +10,7 @@ from dhlab.diagnosis.chain_slips import NAMES
 from dhlab.diagnosis.matrix import judge_matrices
 from dhlab.diagnosis.product import Move, Product
 from dhlab.diagnosis.product_slips import product_slips
-from dhlab.diagnosis.slips import Slip
+from dhlab.diagnosis.slips import NOTHING, Slip
 from dhlab.diagnosis.values import TOLERANCE
 from dhlab.diagnosis.verdict import Case, Verdict, mistake
 from dhlab.kinematics.dh import Convention, as_convention
@@ -39,12 +39,15 @@ class LinkTask:
 
     def judge(self, cases: Sequence[Case]) -> Verdict:
         """Judge an answer by what came for several rows."""
+        if not cases:
+            return NOTHING
         standard = as_convention(self.convention) == "standard"
         models = [_product(inputs, standard) for inputs, _ in cases]
         order = ("theta", "d", "alpha", "a") if standard else ("alpha", "a", "theta", "d")
         names = [f"the factor of {name}" for name in order]
-        slips = [*_arguments(standard), _other_convention(standard)]
+        slips = [*_arguments(standard)]
         slips += _in_other_places(product_slips(models[0].moves, None, False, names))
+        slips += [_other_convention(standard)]
         return judge_matrices(cases, models, slips, 4, self.tolerance)
 
 

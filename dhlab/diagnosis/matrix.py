@@ -1,19 +1,17 @@
 """Tasks whose answer is a matrix: a product of turns and slides, one link."""
 
-from collections.abc import Callable, Sequence
-from typing import Any, Literal
+from collections.abc import Sequence
+from typing import Any, Literal, TypeVar, cast
 
-import numpy as np
-
-from dhlab.diagnosis.product import Factor, Product
+from dhlab.diagnosis.product import Factor, Product, evaluate_products
 from dhlab.diagnosis.product_slips import product_slips
 from dhlab.diagnosis.seen import pose_seen
-from dhlab.diagnosis.slips import Slip, explain, verdict_of
-from dhlab.diagnosis.values import TOLERANCE, Floats, Unreadable, as_pose44, close, numbers
+from dhlab.diagnosis.slips import NOTHING, Evaluate, Slip, judge_arrays
+from dhlab.diagnosis.values import TOLERANCE, Floats, as_pose44, numbers
 from dhlab.diagnosis.verdict import Case, Verdict
 from dhlab.errors import InputError
 
-Inputs = tuple[Any, ...]
+M = TypeVar("M")
 
 
 class MatrixTask:
@@ -59,13 +57,14 @@ class MatrixTask:
 
     def reference(self, *inputs: Any) -> Floats:
         """What is right for these inputs, shape (size, size)."""
-        return self._model(inputs).value()[: self.size, : self.size]
+        return evaluate_products([self._model(inputs)])[0][: self.size, : self.size]
 
     def judge(self, cases: Sequence[Case]) -> Verdict:
         """Judge an answer by what came for several inputs."""
+        if not cases:
+            return NOTHING
         models = [self._model(inputs) for inputs, _ in cases]
-        rotation = self.size == 3
-        slips = product_slips(models[0].moves, self.about, rotation)
+        slips = product_slips(models[0].moves, self.about, self.size == 3)
         return judge_matrices(cases, models, slips, self.size, self.tolerance)
 
     def _model(self, inputs: Sequence[Any]) -> Product:
@@ -74,35 +73,17 @@ class MatrixTask:
 
 def judge_matrices(
     cases: Sequence[Case],
-    models: Sequence[Any],
-    slips: Sequence[Slip[Any]],
+    models: Sequence[M],
+    slips: Sequence[Slip[M]],
     size: int,
     tolerance: float,
-    evaluate: Callable[[Sequence[Any]], Sequence[Floats]] | None = None,
+    evaluate: Evaluate[M] | None = None,
 ) -> Verdict:
-    """Judge matrices by models whose `value` is a pose."""
-    evaluate = evaluate or each_value
-    try:
-        came = [as_pose44(numbers(value, [(size, size)])) for _, value in cases]
-    except Unreadable as refusal:
-        return Verdict(False, str(refusal))
-    wanted = [evaluate([m])[0] for m in models]
-    wrong = [
-        k for k, (a, b) in enumerate(zip(came, wanted, strict=True)) if not close(a, b, tolerance)
-    ]
-    if not wrong:
-        return Verdict(True, "")
-    seen = pose_seen(came[wrong[0]], wanted[wrong[0]]) + how_many(len(wrong), len(cases))
-    return verdict_of(seen, explain(models, came, slips, evaluate, tolerance))
+    """Judge matrices by models whose values are poses; without `evaluate` they are products."""
 
+    def read(value: Any) -> Floats:
+        return as_pose44(numbers(value, [(size, size)]))
 
-def each_value(models: Sequence[Any]) -> list[Floats]:
-    """Values of models, one by one."""
-    return [np.asarray(m.value()) for m in models]
-
-
-def how_many(wrong: int, cases: int) -> str:
-    """Sentence that says for how many inputs the answer is right, where some are."""
-    if wrong == cases:
-        return ""
-    return f" For {cases - wrong} of {cases} inputs it is right: what is special about the others?"
+    if evaluate is None:
+        evaluate = cast(Evaluate[M], evaluate_products)
+    return judge_arrays(cases, models, slips, evaluate, read, pose_seen, tolerance)

@@ -6,9 +6,10 @@ from math import degrees, pi, radians
 
 import numpy as np
 
-from dhlab.diagnosis.after import after_slips
+from dhlab.diagnosis.after import after_slips, negated_origin, transposed
 from dhlab.diagnosis.product import Move, Product
 from dhlab.diagnosis.slips import Slip
+from dhlab.diagnosis.values import Floats
 from dhlab.diagnosis.verdict import Mistake, mistake
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
@@ -32,27 +33,28 @@ def product_slips(
         What the factors are called in a sentence.
     """
     names = names or tuple(_name(m, k, moves) for k, m in enumerate(moves))
-    slips = [
-        *_order(moves, about, names),
+    slips = [  # the order of the factors last: until then each is at its place
         *_angles(moves, names),
         *_axes(moves, names),
         *_slides(moves, names),
+        *_inverses(moves, names, rotation),
         *_counts(moves, names),
+        *_order(moves, about, names),
     ]
-    slides = any(m.kind == "slide" for m in moves)
+    origin = any(m.kind != "turn" for m in moves)
     slips += [
         Slip(m, lambda p, change=change: p.then(change))  # type: ignore[misc]
-        for m, change in after_slips(rotation, slides)
+        for m, change in after_slips(rotation, origin)
     ]
     return slips
 
 
 def _name(move: Move, k: int, moves: Sequence[Move]) -> str:
-    same = [m for m in moves if m.kind == move.kind and m.axis == move.axis]
+    if move.kind == "given":
+        return move.name
+    same = [i for i, m in enumerate(moves) if m.kind == move.kind and m.axis == move.axis]
     what = "slide" if move.kind == "slide" else f"turn about {_axis(move)}"
-    if len(same) == 1:
-        return f"the {what}"
-    return f"the {ORDINALS[next(i for i, m in enumerate(same) if m is move) % 8]} {what}"
+    return f"the {what}" if len(same) == 1 else f"the {ORDINALS[same.index(k) % 8]} {what}"
 
 
 def _axis(move: Move) -> str:
@@ -112,6 +114,15 @@ def _angles(moves: Sequence[Move], names: Sequence[str]) -> Iterator[Slip[Produc
             ),
             lambda p, k=k: p.changed(k, angle=pi / 2 - p.moves[k].angle),  # type: ignore[misc]
         )
+        if isinstance(moves[k].axis, str):
+            yield Slip(
+                mistake(
+                    f"both-sines-{k + 1}",
+                    f"both sines in {names[k]} have the same sign",
+                    "Where does the turn carry each axis? Its picture is a column of the matrix.",
+                ),
+                lambda p, k=k: p.changed(k, flawed=_both_sines),  # type: ignore[misc]
+            )
     units = "Do the sine and cosine of numpy take degrees or radians?"
     if len(turns) > 1:
         yield Slip(
@@ -127,6 +138,11 @@ def _angles(moves: Sequence[Move], names: Sequence[str]) -> Iterator[Slip[Produc
             mistake("radians", "degrees are put in where radians belong", units),
             lambda p: _all_angles(p, degrees(1)),
         )
+
+
+def _both_sines(T: Floats) -> Floats:
+    """Turn about a coordinate axis whose two sines have one sign."""
+    return T * np.where(np.triu(T, 1) != 0, -1, 1)
 
 
 def _all_angles(p: Product, factor: float) -> Product:
@@ -176,19 +192,51 @@ def _slid_along(k: int, name: str) -> Iterator[Slip[Product]]:
         )
 
 
+def _inverses(
+    moves: Sequence[Move], names: Sequence[str], rotation: bool
+) -> Iterator[Slip[Product]]:
+    question = "Do the inner letters of neighbouring factors meet and cancel?"
+    for k, move in enumerate(moves):
+        if move.kind != "given":
+            continue
+        when = f"{names[k]} is inverted, where it is needed as it is"
+        if move.inverse:
+            when = f"{names[k]} is used as it is, where its inverse is needed"
+        yield Slip(
+            mistake(f"inverted-{k + 1}", when, question),
+            lambda p, k=k: p.changed(k, inverse=not p.moves[k].inverse),  # type: ignore[misc]
+        )
+        if move.inverse and not rotation:
+            for key, change, how in (
+                ("transposed", transposed, "the whole matrix is transposed"),
+                ("negated", negated_origin, "its origin is only negated, not rotated"),
+            ):
+                when = f"the inverse of {names[k]} is not one: {how}"
+                yield Slip(
+                    mistake(f"{key}-{k + 1}", when, "What does a pose times its inverse give?"),
+                    lambda p, k=k, change=change: p.changed(  # type: ignore[misc]
+                        k, inverse=False, flawed=change
+                    ),
+                )
+
+
 def _counts(moves: Sequence[Move], names: Sequence[str]) -> Iterator[Slip[Product]]:
     for k in range(len(moves)):
         question = "How many factors does the way from the first frame to the last have?"
         if len(moves) > 1:
             yield Slip(
                 mistake(f"left-out-{k + 1}", f"{names[k]} is left out", question),
-                lambda p, k=k: p.changed(  # type: ignore[misc]
-                    k, angle=0.0, vector=np.zeros(3)
-                ),
+                lambda p, k=k: p.changed(k, flawed=_nothing),  # type: ignore[misc]
             )
         yield Slip(
             mistake(f"twice-{k + 1}", f"{names[k]} is made twice", question),
-            lambda p, k=k: p.changed(  # type: ignore[misc]
-                k, angle=2 * p.moves[k].angle, vector=2 * p.moves[k].vector
-            ),
+            lambda p, k=k: p.changed(k, flawed=_squared),  # type: ignore[misc]
         )
+
+
+def _nothing(T: Floats) -> Floats:
+    return np.eye(4)
+
+
+def _squared(T: Floats) -> Floats:
+    return T @ T

@@ -1,5 +1,7 @@
 """What anybody can see of a wrong answer, without a guess at the cause."""
 
+from math import degrees
+
 import numpy as np
 
 from dhlab.diagnosis.values import Floats, as_pose44
@@ -26,19 +28,38 @@ def pose_seen(came: Floats, wanted: Floats, name: str = "the frame") -> str:
     parts = []
     angle, axis = r2angvec(_nearest(R @ B[:3, :3].T))
     if angle > SMALL:
-        parts.append(f"turned by {np.degrees(angle):.3g} degrees about {_axis_name(axis)}")
-    shift = A[:3, 3] - B[:3, 3]
-    if np.linalg.norm(shift) > SMALL:
-        parts.append(f"{distance(float(np.linalg.norm(shift)))} off, {_along(shift)}")
+        turned, own = degrees(angle), degrees(r2angvec(_nearest(B[:3, :3]))[0])
+        size = "" if reveals(turned, own) else f"by {turned:.3g} degrees "
+        parts.append(f"turned {size}about {_axis_name(axis)}")
+    if np.linalg.norm(A[:3, 3] - B[:3, 3]) > SMALL:
+        parts.append(_off(A[:3, 3], B[:3, 3]))
     where = " and ".join(parts) or "off by less than can be seen"
     return f"{name[0].upper()}{name[1:]} is {where}."
 
 
 def point_seen(came: Floats, wanted: Floats, name: str = "the point") -> str:
-    """Sentence about a point that lies elsewhere."""
-    shift = came - wanted
-    return f"{name[0].upper()}{name[1:]} is {distance(float(np.linalg.norm(shift)))} off, \
-{_along(shift)}."
+    """Sentence about a point, shape (3,), that lies elsewhere.
+
+    Examples
+    --------
+    >>> point_seen(np.array([0.2, 0, 0]), np.array([0.25, 0, 0]))
+    'The point is 50 mm off, along x alone.'
+    >>> point_seen(np.array([0.0, 0, 0]), np.array([0.25, 0, 0]))
+    'The point is off, along x alone.'
+    """
+    return f"{name[0].upper()}{name[1:]} is {_off(came, wanted)}."
+
+
+def rotation_seen(came: Floats, wanted: Floats, name: str) -> str:
+    """Sentence about a rotation, shape (3, 3), whose angles are asked for: without any angle."""
+    _, axis = r2angvec(_nearest(came @ wanted.T))
+    return f"{name[0].upper()}{name[1:]} is turned away from the wanted one about \
+{_axis_name(axis)}."
+
+
+def reveals(shown: float, *wanted: float) -> bool:
+    """Whether a number to be shown is one that is asked for, as far as its digits tell."""
+    return any(abs(shown - abs(w)) <= 0.006 * abs(w) for w in wanted)
 
 
 def distance(length: float) -> str:
@@ -50,6 +71,15 @@ def distance(length: float) -> str:
     ('12.3 mm', '2.5 m')
     """
     return f"{length * 1000:.3g} mm" if length < 1 else f"{length:.4g} m"
+
+
+def _off(came: Floats, wanted: Floats) -> str:
+    """How far off a point is, unless that tells where it belongs."""
+    shift = came - wanted
+    length = float(np.linalg.norm(shift))
+    sizes = [*wanted.tolist(), float(np.linalg.norm(wanted))]
+    size = "" if reveals(length, *sizes) else f"{distance(length)} "
+    return f"{size}off, {_along(shift)}"
 
 
 def _no_rotation(R: Floats) -> str:

@@ -7,17 +7,23 @@ one or two, whose models give what came in every case.
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
-from dhlab.diagnosis.values import TOLERANCE, Floats, close
-from dhlab.diagnosis.verdict import Mistake, Verdict
+from dhlab.diagnosis.values import TOLERANCE, Floats, Unreadable, close
+from dhlab.diagnosis.verdict import Case, Mistake, Verdict
 
 M = TypeVar("M")
 
 ALTERNATIVES = 6
 """More explanations than these explain nothing."""
+
+ROUNDED = 2e-4
+"""An answer as near as this is the right one, but for 3.1416 or 0.707 in it."""
+
+NOTHING = Verdict(False, "There is no answer to judge.")
+NEARLY = "Nearly: some number is rounded too far. Which value of pi, or which root, is used?"
 
 
 @dataclass(frozen=True)
@@ -57,7 +63,7 @@ def explain(
     explanations : list of tuples of Mistake
         All explanations with the fewest slips; none where nothing fits.
     """
-    right = [evaluate([m])[0] for m in models]
+    right = evaluate(models)
     telling = int(np.argmax([_distance(v, r) for v, r in zip(values, right, strict=True)]))
     order = [telling, *(k for k in range(len(models)) if k != telling)]
     for chains in (_singles(slips), _pairs(slips)):
@@ -65,12 +71,65 @@ def explain(
         for k in order:
             if not left:
                 break
-            made = evaluate([_changed(models[k], chain) for chain in left])
+            made = evaluate(_all_changed(models[k], left))
             fits = [close(values[k], m, tolerance) for m in made]
             left = [chain for chain, fit in zip(left, fits, strict=True) if fit]
         if left:
             return _unique(tuple(s.mistake for s in chain) for chain in left)
     return []
+
+
+def judge_arrays(
+    cases: Sequence[Case],
+    models: Sequence[M],
+    slips: Sequence[Slip[M]],
+    evaluate: Evaluate[M],
+    read: Callable[[Any], Floats],
+    seen: Callable[[Floats, Floats], str],
+    tolerance: float = TOLERANCE,
+) -> Verdict:
+    """Judge answers that are arrays by models of what is right.
+
+    Parameters
+    ----------
+    cases : sequence of Case
+    models : sequence
+        What was asked, one model per case.
+    slips : sequence of Slip
+    evaluate : callable
+        From several models to their values.
+    read : callable
+        From whatever came to an array, or `Unreadable`.
+    seen : callable
+        From what came and what is wanted to a sentence.
+    tolerance : float
+    """
+    if not cases:
+        return NOTHING
+    came, refusals = [], []
+    for _, value in cases:
+        try:
+            came.append(read(value))
+        except Unreadable as refusal:
+            refusals.append(str(refusal))
+    if refusals:
+        return Verdict(False, refusals[0] + how_many(len(refusals), len(cases), "not so"))
+    pairs = list(zip(came, evaluate(models), strict=True))
+    wrong = [pair for pair in pairs if not close(*pair, tolerance)]
+    if not wrong:
+        return Verdict(True, "")
+    explanations = explain(models, came, slips, evaluate, tolerance)
+    if not explanations and all(close(*pair, ROUNDED) for pair in wrong):
+        return Verdict(False, NEARLY)
+    return verdict_of(seen(*wrong[0]) + how_many(len(wrong), len(cases)), explanations)
+
+
+def how_many(wrong: int, cases: int, is_what: str = "right") -> str:
+    """Sentence that says for how many inputs it is otherwise, where for some."""
+    if wrong == cases:
+        return ""
+    head = f" For {cases - wrong} of {cases} inputs it is {is_what}"
+    return f"{head}: what is special about the {'other' if wrong == 1 else 'others'}?"
 
 
 def verdict_of(seen: str, explanations: Sequence[Explanation]) -> Verdict:
@@ -89,10 +148,18 @@ def _pairs(slips: Sequence[Slip[M]]) -> list[tuple[Slip[M], ...]]:
     return [(s, t) for i, s in enumerate(slips) for t in slips[i + 1 :]]
 
 
-def _changed(model: M, chain: Iterable[Slip[M]]) -> M:
-    for slip in chain:
-        model = slip.change(model)
-    return model
+def _all_changed(model: M, chains: Sequence[tuple[Slip[M], ...]]) -> list[M]:
+    """What each chain of slips makes of a model; what they begin with in common is made once."""
+    once: dict[int, M] = {}
+    out = []
+    for first, *rest in chains:
+        if id(first) not in once:
+            once[id(first)] = first.change(model)
+        changed = once[id(first)]
+        for slip in rest:
+            changed = slip.change(changed)
+        out.append(changed)
+    return out
 
 
 def _distance(a: Floats, b: Floats) -> float:

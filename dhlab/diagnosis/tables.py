@@ -9,7 +9,7 @@ import numpy as np
 from dhlab.diagnosis.chain_slips import Table, chain_slips, evaluate_tables, table_of
 from dhlab.diagnosis.gauge import Match, match
 from dhlab.diagnosis.matrix import judge_matrices
-from dhlab.diagnosis.slips import Explanation, verdict_of
+from dhlab.diagnosis.slips import NOTHING, Explanation, verdict_of
 from dhlab.diagnosis.values import TOLERANCE, Unreadable, numbers
 from dhlab.diagnosis.verdict import Case, Verdict
 from dhlab.errors import InputError
@@ -40,6 +40,8 @@ class ForwardTask:
 
     def judge(self, cases: Sequence[Case]) -> Verdict:
         """Judge an answer by what came for several configurations."""
+        if not cases:
+            return NOTHING
         models = [table_of(self.chain, np.asarray(inputs[0], float)) for inputs, _ in cases]
         slips = chain_slips(self.chain)
         return judge_matrices(cases, models, slips, 4, self.tolerance, evaluate_tables)
@@ -79,6 +81,8 @@ class TableTask:
 
     def judge(self, cases: Sequence[Case]) -> Verdict:
         """Judge a table; with several cases, all of them."""
+        if not cases:
+            return NOTHING
         verdicts = [self._judge(value) for _, value in cases]
         return next((v for v in verdicts if not v.right), verdicts[0])
 

@@ -1,10 +1,13 @@
 """From whatever came to numbers, or to a sentence that says why they cannot be judged."""
 
+import warnings
 from collections.abc import Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+
+from dhlab.kinematics.transforms import pose_of
 
 Floats: TypeAlias = NDArray[np.float64]
 
@@ -33,15 +36,8 @@ def numbers(value: Any, shapes: Sequence[tuple[int, ...]], what: str = "the answ
         raise Unreadable(f"{head} is None: is there a return at the end?")
     if isinstance(value, str | bytes):
         raise Unreadable(f"{head} is text; numbers are asked for.")
-    try:
-        a = np.asarray(value)
-    except (ValueError, TypeError, OverflowError):
-        raise Unreadable(f"{head} has rows of different lengths, so it is no array.") from None
-    if a.dtype.kind not in "biuf":
-        raise Unreadable(f"{head} is not made of numbers.")
-    a = a.astype(np.float64)
-    wanted = [s for s in shapes if _fits(a.shape, s)]
-    if not wanted:
+    a = _array(value, head)
+    if not any(_fits(a.shape, s) for s in shapes):
         names = " or ".join(_shape_text(s) for s in shapes)
         raise Unreadable(f"{head} has shape {a.shape}; shape {names} is asked for.")
     if np.isnan(a).any():
@@ -51,6 +47,21 @@ def numbers(value: Any, shapes: Sequence[tuple[int, ...]], what: str = "the answ
     return a
 
 
+def _array(value: Any, head: str) -> Floats:
+    """Array of whatever came: numpy asks the value itself, which may answer with any error."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            a = np.asarray(value)
+    except ValueError:
+        raise Unreadable(f"{head} has rows of different lengths, so it is no array.") from None
+    except Exception:
+        raise Unreadable(f"{head} is not made of numbers.") from None
+    if a.dtype.kind not in "biuf":
+        raise Unreadable(f"{head} is not made of numbers.")
+    return a.astype(np.float64)
+
+
 def close(a: Floats, b: Floats, tolerance: float = TOLERANCE) -> bool:
     """Whether two arrays of one shape hold the same numbers."""
     return a.shape == b.shape and bool((np.abs(a - b) <= tolerance * (1 + np.abs(b))).all())
@@ -58,11 +69,13 @@ def close(a: Floats, b: Floats, tolerance: float = TOLERANCE) -> bool:
 
 def as_pose44(a: Floats) -> Floats:
     """Pose, shape (4, 4), from a rotation or a pose."""
-    if a.shape == (4, 4):
-        return a
-    T = np.eye(4)
-    T[:3, :3] = a
-    return T
+    return a if a.shape == (4, 4) else pose_of(a, np.zeros(3))
+
+
+def inverted(T: Floats) -> Floats:
+    """Inverse of poses, shape (..., 4, 4)."""
+    R = np.swapaxes(T[..., :3, :3], -1, -2)
+    return pose_of(R, -(R @ T[..., :3, 3, None])[..., 0])
 
 
 def _fits(shape: tuple[int, ...], wanted: tuple[int, ...]) -> bool:

@@ -5,6 +5,7 @@ import pytest
 
 from dhlab.diagnosis import MatrixTask, slide, turn
 from dhlab.diagnosis.after import after_slips
+from dhlab.diagnosis.product import evaluate_products
 from dhlab.diagnosis.product_slips import product_slips
 
 FACTORS = [turn("z", lambda t, p: t), slide(lambda t, p: (p, 0.2, -0.1)), turn("x", 0.7)]
@@ -17,7 +18,7 @@ def made(task, *chain):
         model = task._model(inputs)
         for slip in chain:
             model = slip.change(model)
-        values.append((inputs, model.value()[: task.size, : task.size].tolist()))
+        values.append((inputs, evaluate_products([model])[0][: task.size, : task.size].tolist()))
     return values
 
 

@@ -1,0 +1,76 @@
+"""How the tests of diagnosis count: which mistakes were made, and which were named."""
+
+from collections import Counter
+from time import perf_counter
+
+import pytest
+
+
+def keys_of(verdict):
+    """Keys of the mistakes of each explanation."""
+    groups = verdict.either or ((verdict.mistakes,) if verdict.mistakes else ())
+    return [{m.key for m in group} for group in groups]
+
+
+class Tally:
+    """Counts judgements on answers whose mistakes are known."""
+
+    def __init__(self):
+        self.counts = Counter()
+        self.seconds = []
+        self.unnamed = []
+
+    def judge(self, task, cases, made=()):
+        """Judge an answer in which these mistakes were made; none: it must be right."""
+        start = perf_counter()
+        verdict = task.judge(cases)
+        self.seconds.append(perf_counter() - start)
+        made, found = set(made), keys_of(verdict)
+        if not made:
+            self.counts["right answers"] += 1
+            self.counts["called wrong"] += not verdict.right
+        elif verdict.right:
+            self.counts["mistakes without effect"] += 1
+        else:
+            self.counts["wrong answers"] += 1
+            if made in found or any(len(group) < len(made) for group in found):
+                self.counts["named"] += 1
+            else:
+                self.counts["falsely"] += bool(found)
+                self.unnamed.append((made, found))
+        return verdict
+
+    @property
+    def share(self):
+        """Part of the wrong answers whose mistake is named."""
+        return self.counts["named"] / max(self.counts["wrong answers"], 1)
+
+    def __str__(self):
+        c, times, parts = self.counts, sorted(self.seconds), []
+        if c["wrong answers"]:
+            named = f"mistake named in {100 * self.share:.1f} %, falsely in {c['falsely']}"
+            parts += [f"{c['wrong answers']} wrong answers, {named}"]
+        if c["right answers"]:
+            parts += [f"{c['right answers']} right answers, called wrong {c['called wrong']}"]
+        parts += [f"{1e3 * times[len(times) // 2]:.0f} ms each, at most {1e3 * times[-1]:.0f} ms"]
+        return "; ".join(parts)
+
+    def check(self, share=0.95):
+        """No false accusation, no right answer called wrong, and most mistakes named."""
+        assert self.counts["falsely"] == 0, self.unnamed
+        assert self.counts["called wrong"] == 0
+        assert self.share >= share, self.unnamed
+
+
+@pytest.fixture
+def tally(record_property):
+    """A tally that is shown at the end of the test run."""
+    count = Tally()
+    yield count
+    record_property("tally", str(count))
+
+
+@pytest.fixture
+def keys():
+    """Keys of the mistakes of each explanation of a verdict."""
+    return keys_of

@@ -19,13 +19,15 @@ the fewer the alternatives: three inputs without zeros and right angles tell mos
 - `slips`: the search; `product`, `product_slips`, `after`: what goes wrong in a product
 - `matrix`: a matrix that is a product of turns, slides and given poses; `point`: what such a
   product is applied to; `triples`: the angles of a rotation
+- `trajectory`, `motion`: a cubic or a quintic from one configuration to another
 - `link`: the function of one row; `tables`: forward kinematics of a chain, and a table;
   `chain_slips`: what goes wrong there; `gauge`: when two tables are the same mechanism
 
 The tasks: `MatrixTask` (a rotation or a pose, plain or as a function), `PointTask` (a point or a
 direction in another frame), `AnglesTask` (three angles of a rotation), `LinkTask` (the pose of one
 row, as a function of alpha, a, d, theta), `ForwardTask` (the pose of the tip as a function of one
-configuration), `TableTask` (a table; with base, grasper, offset and letters a simple robot).
+configuration), `TrajectoryTask` (a motion by a polynomial), `TableTask` (a table; with base,
+grasper, offset and letters a simple robot).
 """
 
 from dhlab.diagnosis.link import LinkTask
@@ -33,6 +35,7 @@ from dhlab.diagnosis.matrix import MatrixTask
 from dhlab.diagnosis.point import PointTask
 from dhlab.diagnosis.product import given, inverse_of, slide, turn
 from dhlab.diagnosis.tables import ForwardTask, TableTask
+from dhlab.diagnosis.trajectory import TrajectoryTask
 from dhlab.diagnosis.triples import AnglesTask
 from dhlab.diagnosis.verdict import Mistake, Task, Verdict
 
@@ -45,6 +48,7 @@ __all__ = [
     "PointTask",
     "TableTask",
     "Task",
+    "TrajectoryTask",
     "Verdict",
     "given",
     "inverse_of",

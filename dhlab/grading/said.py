@@ -56,7 +56,7 @@ class Said:
             for call, right in self.tried
         )
         parts = [head, _html(self.text), calls, _html(self.note)]
-        inner = "".join(f"<div>{part}</div>" for part in parts if part)
+        inner = "".join(f'<div style="margin:.25em 0">{part}</div>' for part in parts if part)
         return f'<div role="status" style="{BOX.format(color=color)}">{inner}</div>'
 
 

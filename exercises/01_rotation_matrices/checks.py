@@ -6,7 +6,7 @@ from dhlab import csys, deg, rotx, roty, rotz, rp2t
 from dhlab.diagnosis import MatrixTask, turn
 from dhlab.grading import Question
 
-ORIGIN = (0, 0, 0)
+ORIGIN, BESIDE = (0, 0, 0), (1.8, 0.9, 0)
 TURNS = {"x": rotx, "y": roty, "z": rotz}
 READ = [  # two quarter turns, about the fixed axes and in this order
     (("x", 90), ("z", 90)),
@@ -61,11 +61,11 @@ def angles(rng):
 
 def pictures(given):
     """What is drawn beside the questions."""
-    A = csys(name="A", opacity=0.35)
     first, second = READ[given["picture"]]
     R = TURNS[second[0]](second[1] * deg) @ TURNS[first[0]](first[1] * deg)
+    A = csys(name="A", opacity=0.35)
     return {
-        "about z": [A, csys(rp2t(rotz(50 * deg), ORIGIN), name="B", opacity=0.35)],
-        "about y": [A, csys(rp2t(roty(50 * deg), ORIGIN), name="B", opacity=0.35)],
-        "A and B": [csys(name="A"), csys(rp2t(R, (2, 0, 0)), name="B")],
+        "about z": [A, csys(rp2t(rotz(50 * deg), ORIGIN), name="B")],
+        "about y": [A, csys(rp2t(roty(50 * deg), ORIGIN), name="B")],
+        "A and B": [csys(name="A"), csys(rp2t(R, BESIDE), name="B")],
     }

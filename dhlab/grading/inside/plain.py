@@ -35,6 +35,10 @@ class NotPlain(Exception):
         self.text = text
 
 
+class Missing(TypeError):
+    """Something of dhlab was used as a number where it is not there."""
+
+
 def tidy(text: str, limit: int = 200) -> str:
     r"""Text on one line without control characters and angle brackets, cut to a limit.
 
@@ -179,6 +183,8 @@ def _as_floats(value: Any) -> np.ndarray[Any, np.dtype[np.float64]] | None:
         if array.dtype.kind not in "biufO":
             return None
         return np.array(array, dtype=np.float64)
+    except Missing as refusal:
+        raise NotPlain("not numbers", str(refusal)) from None
     except (ValueError, TypeError):  # rows of different lengths, or no numbers
         return None
     except OverflowError:

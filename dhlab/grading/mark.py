@@ -1,0 +1,157 @@
+"""Marking one submission: its cells run in a sandbox, its answers are judged here, afterwards."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from dhlab.grading.asked import Ask
+from dhlab.grading.exercise import Exercise, seed_of
+from dhlab.grading.judge import Judged, judge
+from dhlab.grading.question import Question
+from dhlab.grading.runner import Run, run_cells
+from dhlab.grading.sandbox import Limits, Sandbox
+
+Status: TypeAlias = Literal["graded", "partly graded", "unreadable", "missing"]
+
+IMPORTS = re.compile(
+    r"(?:^|;)[ \t]*(?:from[ \t]+([\w.]+)[ \t]+import[ \t]*(?:\(([^)]*)\)|([\w \t.,*]+))"
+    r"|import[ \t]+([\w \t.,]+))",
+    re.MULTILINE,
+)
+MOST_IMPORTS = 50
+
+
+@dataclass(frozen=True)
+class Marked:
+    """The marks of one submission, all of it plain data.
+
+    Attributes
+    ----------
+    student : str
+        Who is marked, whoever the notebook names.
+    questions : tuple of Judged
+    points, out_of : float
+    status : {'graded', 'partly graded', 'unreadable', 'missing'}
+        'partly graded' if cells had to be left out; the last two where there was nothing to run.
+    reason : str
+        A sentence where the status is not 'graded', or where the notebook names somebody else.
+    notes : tuple of str
+        What was seen when the cells ran; it costs no points.
+    left_out : tuple of int
+        Cells that were left out, counted from 1.
+    seconds : float
+    imports : tuple of str
+        What the text of the cells imports: "numpy", "dhlab.View".
+    seed : int
+        From which the further cases were drawn.
+    """
+
+    student: str
+    questions: tuple[Judged, ...]
+    points: float
+    out_of: float
+    status: Status
+    reason: str
+    notes: tuple[str, ...]
+    left_out: tuple[int, ...]
+    seconds: float
+    imports: tuple[str, ...]
+    seed: int
+
+
+def mark_cells(
+    exercise: Exercise,
+    student: str,
+    cells: Sequence[str],
+    *,
+    seed: int,
+    course: str = "",
+    sandbox: Sandbox = "bwrap",
+    limits: Limits | None = None,
+) -> Marked:
+    """Mark the code cells of a submission.
+
+    Parameters
+    ----------
+    exercise : Exercise
+    student : str
+        Whose submission it is: the numbers are this student's.
+    cells : sequence of str
+    seed : int
+        Of the further cases: the same for all students of one marking.
+    course : str
+        As in the released notebook.
+    sandbox : {'bwrap', 'none'}
+        'none' runs the cells unprotected, as this user: for work that is trusted.
+    limits : Limits, optional
+
+    Returns
+    -------
+    marked : Marked
+
+    Raises
+    ------
+    SandboxError
+        The sandbox does not work here; nothing was run.
+    DhlabError
+        The exercise has an error; the message names the line.
+    """
+    given = exercise.numbers(student, course)
+    questions = exercise.questions(given)
+    asks = [_ask(exercise, question, seed) for question in questions]
+    run = run_cells(cells, asks, given, sandbox=sandbox, limits=limits)
+    judged = tuple(
+        judge(question, list(zip(ask.cases, run.replies[ask.name], strict=True)))
+        for question, ask in zip(questions, asks, strict=True)
+    )
+    return Marked(
+        student=student,
+        questions=judged,
+        points=sum(j.points for j in judged),
+        out_of=sum(j.out_of for j in judged),
+        status="partly graded" if run.left_out else "graded",
+        reason=" ".join(_reasons(run, exercise, student)),
+        notes=run.notes,
+        left_out=run.left_out,
+        seconds=run.seconds,
+        imports=imports_of(cells),
+        seed=seed,
+    )
+
+
+def imports_of(cells: Sequence[str]) -> tuple[str, ...]:
+    """Names that the text of some cells imports, in order.
+
+    Examples
+    --------
+    >>> imports_of(["import numpy as np, math", "from dhlab import View, deg as degree"])
+    ('numpy', 'math', 'dhlab.View', 'dhlab.deg')
+    """
+    found: dict[str, None] = {}
+    for cell in cells:
+        for module, *lists in IMPORTS.findall(cell):
+            words = [name.split() for name in "".join(lists).split(",")]
+            names = [w[0] for w in words if w and re.fullmatch(r"[\w.*]+", w[0])]
+            found |= {f"{module}.{name}" if module else name: None for name in names}
+    return tuple(found)[:MOST_IMPORTS]
+
+
+def _ask(exercise: Exercise, question: Question, seed: int) -> Ask:
+    """Draw the cases of a question: the same for all students of one seed."""
+    rng = np.random.default_rng([seed, seed_of("", question.name)])
+    return Ask(question.name, question.kind, exercise.cases(question, rng))
+
+
+def _reasons(run: Run, exercise: Exercise, student: str) -> list[str]:
+    reasons = [f"{note}." for note in run.notes if "was left out:" in note]
+    named = run.student
+    if exercise.is_personal and named is not None and seed_of("", named) != seed_of("", student):
+        who = f"'{named}'" if named.strip() else "nobody"
+        reasons.append(
+            f"the notebook names {who}, the submission is that of '{student}', and so were the "
+            "numbers."
+        )
+    return reasons

@@ -1,0 +1,249 @@
+"""Where a student's code runs: a bubblewrap sandbox, or, asked for in so many words, no sandbox."""
+
+import json
+import os
+import shutil
+import signal
+import site
+import subprocess
+import sys
+import tempfile
+import threading
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal, TypeAlias, get_args
+
+import numpy as np
+import psutil
+
+from dhlab.errors import DhlabError, InputError
+
+Sandbox: TypeAlias = Literal["bwrap", "none"]
+
+PACKAGE = Path(__file__).resolve().parents[1]
+INSIDE = Path(__file__).resolve().parent / "inside"
+MOUNTED = "/grader/inside"
+SYSTEM = ("/usr", "/lib", "/lib32", "/lib64", "/libx32", "/bin", "/sbin", "/nix/store")
+CACHES = ("/etc/ld.so.cache", "/etc/fonts")
+USERS = range(60578, 61184)
+"""User numbers that no system hands out (systemd's list of them)."""
+
+HIDDEN = ("grading", "diagnosis", "exercises", "notebooks")
+"""Parts of dhlab that are not there where the rest of it is."""
+
+ADVICE = (
+    "install bubblewrap (`apt install bubblewrap`) and allow user namespaces, or, for work that "
+    "you trust or in a container of its own, choose the sandbox 'none'"
+)
+
+
+class SandboxError(DhlabError):
+    """The sandbox does not work here; nothing was run."""
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What a submission may use.
+
+    Attributes
+    ----------
+    cpu, wall : float [s]
+        Of a cell and of a question: of the processor, and of the clock.
+    whole : float [s]
+        Of the clock, for everything together.
+    memory : int [bytes]
+        Of all its processes together.
+    file, files : int
+        Bytes of a file; files open at once in one process.
+    scratch : int [bytes]
+        Of all files together.
+    output : int [bytes]
+        Of everything that comes back.
+    processes : int
+    """
+
+    cpu: int = 5
+    wall: float = 6
+    whole: float = 90
+    memory: int = 2**30
+    file: int = 2**23
+    files: int = 64
+    scratch: int = 2**24
+    output: int = 2**22
+    processes: int = 32
+
+
+def check_sandbox(sandbox: Sandbox) -> None:
+    """Refuse a sandbox that is not known or does not work here.
+
+    Parameters
+    ----------
+    sandbox : {'bwrap', 'none'}
+
+    Raises
+    ------
+    InputError
+        There is no such sandbox.
+    SandboxError
+        It does not work here; the message says what to do.
+    """
+    if sandbox not in get_args(Sandbox):
+        raise InputError(f"no sandbox {sandbox!r}; use 'bwrap' or 'none'")
+    if os.name != "posix":
+        raise SandboxError("answers are marked on Linux, and with the sandbox 'none' on macOS")
+    if sandbox == "none":
+        return
+    if sys.platform != "linux":
+        raise SandboxError(f"the sandbox 'bwrap' needs Linux, this is {sys.platform}; {ADVICE}")
+    if shutil.which("bwrap") is None:
+        raise SandboxError(f"there is no bubblewrap here; {ADVICE}")
+
+
+@contextmanager
+def started(
+    job: Mapping[str, Any], sandbox: Sandbox, limits: Limits, library: bool
+) -> Iterator[subprocess.Popen[bytes]]:
+    """Start a process on a job; at the end it and everything that came from it is gone.
+
+    Parameters
+    ----------
+    job : mapping
+        What `dhlab.grading.inside.main` reads.
+    sandbox : {'bwrap', 'none'}
+    limits : Limits
+    library : bool
+        Whether dhlab itself is there.
+
+    Yields
+    ------
+    process : Popen
+        Its output is the lines of `main`, its errors what is said before it is ready.
+    """
+    check_sandbox(sandbox)
+    with tempfile.TemporaryDirectory(prefix="dhlab-") as folder:
+        path = Path(folder) / "job"
+        path.write_text(json.dumps(job, allow_nan=False), "utf-8")
+        with path.open("rb") as source:
+            path.unlink()
+            command = _bwrap(limits, library) if sandbox == "bwrap" else _bare(library)
+            process = subprocess.Popen(
+                command,
+                stdin=source,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                cwd=folder,
+                env={},
+                start_new_session=True,
+            )
+        with process:
+            try:
+                yield process
+            finally:
+                end(process)
+
+
+def end(process: subprocess.Popen[bytes]) -> None:
+    """End a process and everything that came from it; return when all of it is gone.
+
+    In a sandbox the first process below bubblewrap is the first of a process namespace: the
+    kernel ends all others with it, and bubblewrap ends after it.
+    """
+    below = _below(process.pid)
+    for other in below:
+        _kill(other.pid)
+    with suppress(subprocess.TimeoutExpired):
+        process.wait(2)
+    with suppress(ProcessLookupError):
+        os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+    psutil.wait_procs(below, timeout=2)
+
+
+def _below(process: int) -> list[psutil.Process]:
+    with suppress(psutil.Error):
+        found: list[psutil.Process] = psutil.Process(process).children(recursive=True)
+        return found
+    return []
+
+
+def _kill(process: int) -> None:
+    with suppress(OSError):
+        os.kill(process, signal.SIGKILL)
+
+
+def _bare(library: bool) -> list[str]:
+    """Return the command without a sandbox."""
+    packages = [*_packages(), *([str(PACKAGE.parent)] if library else [])]
+    return [_python(), "-I", "-S", "-B", str(INSIDE / "boot.py"), "0", *packages]
+
+
+def _bwrap(limits: Limits, library: bool) -> list[str]:
+    """Return the command of a sandbox: Python and packages to read, a little memory to write."""
+    packages = [*_packages(), *([str(PACKAGE.parent)] if library else [])]
+    return [
+        *("bwrap", "--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts"),
+        *("--unshare-cgroup-try", "--new-session", "--die-with-parent", "--hostname", "sandbox"),
+        *("--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID") * (os.getuid() == 0),
+        *("--size", str(limits.scratch), "--perms", "1777", "--tmpfs", "/tmp"),
+        *_mounts(library),
+        *("--proc", "/proc", "--dev", "/dev", "--size", "1048576", "--tmpfs", "/dev/shm"),
+        *("--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/tmp"),
+        *(_python(), "-I", "-S", "-B", f"{MOUNTED}/boot.py", str(_user()), *packages),
+    ]
+
+
+def _mounts(library: bool) -> Iterator[str]:
+    """Yield the arguments that show files to the sandbox, and hide some of them again."""
+    shown: list[Path] = []
+    folders = [*SYSTEM, *CACHES, _home(), *_packages(), *([str(PACKAGE)] if library else [])]
+    for source, target in [*((f, f) for f in folders), (str(INSIDE), MOUNTED)]:
+        path = Path(target)
+        if Path(source).is_symlink():
+            yield from ("--symlink", os.readlink(source), target)
+        elif Path(source).exists() and not any(path.is_relative_to(other) for other in shown):
+            for parent in reversed(path.parents[:-1]):
+                yield from ("--dir", str(parent))
+            yield from ("--ro-bind", source, target)
+            shown.append(path)
+    for hidden in _hidden(library):
+        if any(hidden.is_relative_to(path) for path in shown) and hidden.is_dir():
+            yield from ("--size", "4096", "--tmpfs", str(hidden), "--remount-ro", str(hidden))
+
+
+def _hidden(library: bool) -> list[Path]:
+    """Return the folders that hold solutions, or the functions that are asked for."""
+    prefixes = {path.resolve() for path in map(Path, [*_packages(), *_base_packages()])}
+    copies = {PACKAGE, *(path / "dhlab" for path in prefixes)}
+    if not library:
+        return sorted(copies)
+    return sorted(copies - {PACKAGE}) + [PACKAGE / part for part in HIDDEN]
+
+
+def _packages() -> list[str]:
+    """Return the folders of installed packages that this process imports from."""
+    names = ("site-packages", "dist-packages")
+    found = [Path(p).resolve() for p in sys.path if Path(p).name in names and Path(p).is_dir()]
+    return [str(p) for p in dict.fromkeys([*found, Path(np.__file__).resolve().parents[1]])]
+
+
+def _base_packages() -> list[str]:
+    """Return the folders of packages that belong to the Python below a virtual environment."""
+    return site.getsitepackages([sys.base_prefix])
+
+
+def _python() -> str:
+    """Return the Python below a virtual environment."""
+    base = getattr(sys, "_base_executable", None) or sys.executable
+    return str(Path(base).resolve())
+
+
+def _home() -> str:
+    """Return the folder that this Python is in."""
+    return str(Path(sys.base_prefix).resolve())
+
+
+def _user() -> int:
+    """Return the number of a user that has nothing else, for when this is root."""
+    return USERS[threading.get_native_id() % len(USERS)]

@@ -1,11 +1,11 @@
 # %% title [markdown]
 # # Exercise 7: one row, one matrix
 #
-# **Goal.** Write the function behind every Denavit-Hartenberg table: from one row to the pose of one
-# frame in the frame before.
+# **Goal.** Write the function behind every Denavit-Hartenberg table: from one row to the pose of
+# one frame in the frame before.
 #
-# **What to know before.** [The four steps](../../notebooks/07_four_steps.ipynb). **Time.** 25 minutes.
-# **Points.** 6.
+# **What to know before.** [The four steps](../../notebooks/07_four_steps.ipynb).
+# **Time.** 25 minutes. **Points.** 6.
 
 # %% imports
 import numpy as np
@@ -39,8 +39,8 @@ given = check.numbers(STUDENT)
 show(*check.picture("row"), height=420)
 
 # %% link-task [markdown]
-# Write `dh_link`: from $\alpha$ [rad], $a$ [m], $d$ [m], $\theta$ [rad], in this order, to $T_{i-1,i}$,
-# an array of shape (4, 4). Use `numpy` alone.
+# Write `dh_link`: from $\alpha$ [rad], $a$ [m], $d$ [m], $\theta$ [rad], in this order, to
+# $T_{i-1,i}$, an array of shape (4, 4). Use `numpy` alone.
 
 # %% dh-link
 def dh_link(alpha, a, d, theta):

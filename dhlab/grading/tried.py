@@ -41,6 +41,8 @@ def call_text(name: str, arguments: Arguments) -> str:
     --------
     >>> call_text("rot", (0.123456, "z", [1.0, 2]))
     "rot(0.1235, 'z', [1, 2])"
+    >>> call_text("inverse_pose", (np.eye(4),))
+    'inverse_pose(pose at [0, 0, 0])'
     """
     return f"{name}({', '.join(_brief(a) for a in arguments)})"
 
@@ -98,6 +100,8 @@ def _told(error: BaseException, function: Any = None) -> str:
 def _brief(value: Any) -> str:
     if isinstance(value, float | np.floating):
         return f"{value:.4g}"
+    if isinstance(value, np.ndarray) and value.shape == (4, 4):
+        return f"pose at {_brief(value[:3, 3])}"
     if isinstance(value, np.ndarray):
         return _brief(value.tolist())
     if isinstance(value, list | tuple):

@@ -55,8 +55,9 @@ check.show(yours_moving, R_moving)
 # %% fixed [markdown]
 # ## 2. About fixed axes (2 points)
 #
-# The same angles in the same order, but each turn is about an axis of {A}: about $z_A$ by $a$, then
-# about $x_A$ by $b$, then about $y_A$ by $c$. Compare the pictures: only the first turn is the same.
+# The same angles in the same order, but each turn is about an axis of {A}: about $z_A$ by $a$,
+# then about $x_A$ by $b$, then about $y_A$ by $c$. Compare the pictures: only the first turn is the
+# same.
 
 # %% fixed-picture
 show(*check.picture("fixed"), height=360)

@@ -1,7 +1,7 @@
 """What may go wrong in a Denavit-Hartenberg table and in what is computed from it."""
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from itertools import permutations
 from math import degrees, radians
 
@@ -10,102 +10,34 @@ import numpy as np
 from dhlab.diagnosis.after import after_slips
 from dhlab.diagnosis.product import After
 from dhlab.diagnosis.slips import Slip
-from dhlab.diagnosis.values import Floats
+from dhlab.diagnosis.table_model import Table
+from dhlab.diagnosis.values import Floats, inverted
 from dhlab.diagnosis.verdict import Mistake, mistake
 from dhlab.kinematics.chain import Chain
-from dhlab.kinematics.dh import link_transform
 
 NAMES = ("alpha", "a", "d", "theta")
+ANGLE_UNIT = "Do the sine and cosine of numpy take degrees or radians?"
+LENGTH_UNIT = "In which unit are the lengths asked for?"
 
 
-@dataclass(frozen=True, eq=False)
-class Table:
-    """A table with its joint values in numbers, and what was done to it."""
-
-    rows: Floats
-    kinds: tuple[str, ...]
-    q: Floats
-    offset: Floats
-    standard: bool
-    base: Floats
-    tool: Floats
-    columns: tuple[int, ...] = (0, 1, 2, 3)
-    use: tuple[int, ...] = ()
-    ends: str = "bct"
-    after: tuple[After, ...] = ()
-
-    def filled(self) -> Floats:
-        """Rows with the joint values in their places, shape (used, 4)."""
-        rows = self.rows.copy()
-        for i, kind in enumerate(self.kinds):
-            rows[i, 3 if kind == "r" else 2] = self.q[i] + self.offset[i]
-        out: Floats = rows[list(self.use)][:, list(self.columns)]
-        return out
-
-    def chain(self, like: Chain) -> Chain | None:
-        """Chain of this table; None where it has other joints, or factors in another order."""
-        if self.use != tuple(range(like.n)) or self.ends != "bct" or self.after:
-            return None
-        rows = self.rows[:, list(self.columns)].tolist()
-        convention = "standard" if self.standard else "modified"
-        return Chain(
-            [tuple(r) for r in rows],
-            self.kinds,
-            "standard" if convention == "standard" else "modified",
-            self.base,
-            self.tool,
-            offset=self.offset,
-        )
-
-
-def table_of(chain: Chain, q: Floats) -> Table:
-    """Table of a chain at a configuration."""
-    return Table(
-        np.array(chain.rows, dtype=np.float64).reshape(-1, 4),
-        chain.kinds,
-        np.asarray(q, dtype=np.float64).reshape(chain.n),
-        chain.offset,
-        chain.convention == "standard",
-        chain.base,
-        chain.grasper,
-        use=tuple(range(chain.n)),
-    )
-
-
-def evaluate_tables(tables: Sequence[Table]) -> list[Floats]:
-    """Poses of the tips of many tables at once, each (4, 4)."""
-    out: list[Floats] = [np.eye(4)] * len(tables)
-    groups: dict[tuple[int, bool], list[int]] = {}
-    for k, t in enumerate(tables):
-        groups.setdefault((len(t.use), t.standard), []).append(k)
-    for (n, standard), members in groups.items():
-        rows = np.array([tables[k].filled() for k in members]).reshape(len(members), n, 4)
-        links = link_transform(rows, "standard" if standard else "modified")
-        T = np.broadcast_to(np.eye(4), (len(members), 4, 4))
-        for i in range(n):
-            T = T @ links[:, i]
-        for k, chain in zip(members, T, strict=True):
-            out[k] = _finished(tables[k], chain)
-    return out
-
-
-def _finished(t: Table, chain: Floats) -> Floats:
-    parts = {"b": t.base, "c": chain, "t": t.tool}
-    T = np.eye(4)
-    for letter in t.ends:
-        T = T @ parts[letter]
-    for change in t.after:
-        T = change(T)
-    return T
-
-
-def chain_slips(chain: Chain, table: bool = False) -> list[Slip[Table]]:
-    """All slips for a chain; with `table` those that a table itself can show."""
-    slips = [*_numbers(chain), *_links(chain), *_columns(chain), *_joints(chain, table)]
+def chain_slips(chain: Chain) -> list[Slip[Table]]:
+    """All slips in what is computed from a chain's table."""
+    slips = [*_numbers(chain), *_links(), _convention(chain), *_columns(), *_joints(chain)]
     slips += _ends(chain)
-    if not table:
-        slips += [_after(m, change) for m, change in after_slips(rotation=False)]
-    return slips
+    return slips + [_after(m, change) for m, change in after_slips(rotation=False)]
+
+
+def table_slips(chain: Chain) -> list[Slip[Table]]:
+    """All slips in a table, but for its being read in the other convention."""
+    return [
+        *_numbers(chain),
+        *_table_units(),
+        *_links(),
+        _convention(chain),
+        *_columns(),
+        *_zeros(chain),
+        *_ends(chain),
+    ]
 
 
 def _after(m: Mistake, change: After) -> Slip[Table]:
@@ -150,7 +82,7 @@ def _numbers(chain: Chain) -> Iterator[Slip[Table]]:
             yield Slip(mistake(f"a-d-{i + 1}", when, question), _exchange(i))
 
 
-def _columns(chain: Chain) -> Iterator[Slip[Table]]:
+def _columns() -> Iterator[Slip[Table]]:
     question = "In which order does a row hold alpha, a, d and theta?"
     for order in permutations(range(4)):
         if order != (0, 1, 2, 3):
@@ -165,16 +97,23 @@ def _columns(chain: Chain) -> Iterator[Slip[Table]]:
             )
 
 
-def _links(chain: Chain) -> Iterator[Slip[Table]]:
-    other = "modified" if chain.convention == "standard" else "standard"
-    yield Slip(
-        mistake(
-            "convention",
-            f"the table is read in the {other} convention",
-            "Which comes first in a row of your convention: the link or the joint?",
-        ),
-        lambda t: replace(t, standard=not t.standard),
+def convention_mistake(convention: str) -> Mistake:
+    """Mistake of reading a table in this convention that is meant in the other one."""
+    other = "modified" if convention == "standard" else "standard"
+    return mistake(
+        "convention",
+        f"the table of the {other} convention is read in the {convention} one",
+        "Which comes first in a row of your convention: the link or the joint?",
     )
+
+
+def _convention(chain: Chain) -> Slip[Table]:
+    other = "modified" if chain.convention == "standard" else "standard"
+    m = convention_mistake(other)
+    return Slip(m, lambda t: replace(t, standard=not t.standard))
+
+
+def _links() -> Iterator[Slip[Table]]:
     question = "Between which two axes do alpha and a of row i lie?"
     for step, way in ((-1, "next"), (1, "previous")):
 
@@ -186,15 +125,33 @@ def _links(chain: Chain) -> Iterator[Slip[Table]]:
         yield Slip(mistake(f"shifted-{way}", when, question), _edit(shifted))
 
 
-def _joints(chain: Chain, table: bool) -> Iterator[Slip[Table]]:
-    n = chain.n
+def _table_units() -> Iterator[Slip[Table]]:
+    for key, when, question, columns, factor in (
+        ("radians", "the angles are given in degrees", ANGLE_UNIT, (0, 3), degrees(1)),
+        ("degrees", "angles in radians are taken for degrees", ANGLE_UNIT, (0, 3), radians(1)),
+        ("millimetres", "lengths are in millimetres", LENGTH_UNIT, (1, 2), 1e3),
+        ("thousandth", "lengths are divided by 1000", LENGTH_UNIT, (1, 2), 1e-3),
+    ):
+
+        def scaled(
+            rows: Floats, columns: tuple[int, ...] = columns, factor: float = factor
+        ) -> None:
+            rows[:, columns] *= factor
+
+        yield Slip(mistake(key, when, question), _edit(scaled))
+
+
+def _zeros(chain: Chain) -> Iterator[Slip[Table]]:
     if chain.offset.any():
         yield Slip(
             mistake("no-offset", "the offset is forgotten", "Where does each joint count from?"),
-            lambda t: replace(t, offset=np.zeros(n)),
+            lambda t: replace(t, offset=np.zeros(chain.n)),
         )
-    if table:
-        return
+
+
+def _joints(chain: Chain) -> Iterator[Slip[Table]]:
+    n = chain.n
+    yield from _zeros(chain)
     if chain.home.any():
         when = "the home value of the table is added to the joint variable"
         question = "Does a joint variable stand in place of the table's value, or is it added?"
@@ -202,7 +159,7 @@ def _joints(chain: Chain, table: bool) -> Iterator[Slip[Table]]:
         m = mistake("home-added", when, question)
         yield Slip(m, lambda t: replace(t, q=t.q + home))
     for i, kind in enumerate(chain.kinds):
-        yield from _joint(i, kind, n)
+        yield from _joint(i, kind)
     yield from _units(chain)
     if n > 1:
         when = "the links are multiplied in the reverse order"
@@ -211,7 +168,7 @@ def _joints(chain: Chain, table: bool) -> Iterator[Slip[Table]]:
         yield Slip(m, lambda t: replace(t, use=t.use[::-1]))
 
 
-def _joint(i: int, kind: str, n: int) -> Iterator[Slip[Table]]:
+def _joint(i: int, kind: str) -> Iterator[Slip[Table]]:
     def negated(t: Table) -> Table:
         q = t.q.copy()
         q[i] *= -1
@@ -235,13 +192,12 @@ def _joint(i: int, kind: str, n: int) -> Iterator[Slip[Table]]:
 
 def _units(chain: Chain) -> Iterator[Slip[Table]]:
     turning = np.array([k == "r" for k in chain.kinds])
-    question = "Do the sine and cosine of numpy take degrees or radians?"
     for key, factor, when in (
         ("degrees", radians(1), "joint angles in radians are taken for degrees"),
         ("radians", degrees(1), "joint angles are put in as degrees"),
     ):
         yield Slip(
-            mistake(key, when, question),
+            mistake(key, when, ANGLE_UNIT),
             lambda t, factor=factor: replace(  # type: ignore[misc]
                 t, q=np.where(turning, t.q * factor, t.q)
             ),
@@ -249,17 +205,31 @@ def _units(chain: Chain) -> Iterator[Slip[Table]]:
 
 
 def _ends(chain: Chain) -> Iterator[Slip[Table]]:
-    if not np.array_equal(chain.base, np.eye(4)):
-        m = mistake("no-base", "the base is left out", "In which frame is the tip asked for?")
-        yield Slip(m, lambda t: replace(t, base=np.eye(4)))
-        side = "On which side of the product does the pose of the base stand?"
-        m = mistake("base-side", "the base is multiplied on the right instead of the left", side)
-        for ends in ("ctb", "cbt"):
-            yield Slip(m, lambda t, ends=ends: replace(t, ends=ends))  # type: ignore[misc]
-    if not np.array_equal(chain.grasper, np.eye(4)):
-        m = mistake("no-tool", "the tool is left out", "Which point of the hand is asked for?")
-        yield Slip(m, lambda t: replace(t, tool=np.eye(4)))
-        side = "On which side of the product does the pose of the tool stand?"
-        m = mistake("tool-side", "the tool is multiplied on the left instead of the right", side)
-        for ends in ("tbc", "btc"):
-            yield Slip(m, lambda t, ends=ends: replace(t, ends=ends))  # type: ignore[misc]
+    at_rest = {"base": chain.base, "tool": chain.grasper}
+    asked = {
+        "base": "In which frame is the tip asked for?",
+        "tool": "Which point of the hand is asked for?",
+    }
+    sides = {"base": ("right", "left", ("ctb", "cbt")), "tool": ("left", "right", ("tbc", "btc"))}
+    for end, pose in at_rest.items():
+        if np.array_equal(pose, np.eye(4)):
+            continue
+        for key, how, changed in (
+            (f"no-{end}", f"the {end} is left out", np.eye(4)),
+            (f"{end}-twice", f"the {end} is counted twice", pose @ pose),
+            (f"{end}-inverse", f"the inverse of the {end} is used", inverted(pose)),
+        ):
+            yield Slip(
+                mistake(key, how, asked[end]),
+                lambda t, end=end, changed=changed: replace(  # type: ignore[misc]
+                    t, **{end: changed}
+                ),
+            )
+        wrong, right, orders = sides[end]
+        when = f"the {end} is multiplied on the {wrong} instead of the {right}"
+        question = f"On which side of the product does the pose of the {end} stand?"
+        for order in orders:
+            yield Slip(
+                mistake(f"{end}-side", when, question),
+                lambda t, order=order: replace(t, ends=order),  # type: ignore[misc]
+            )

@@ -75,7 +75,7 @@ def explain(
             fits = [close(values[k], m, tolerance) for m in made]
             left = [chain for chain, fit in zip(left, fits, strict=True) if fit]
         if left:
-            return _unique(tuple(s.mistake for s in chain) for chain in left)
+            return unique(tuple(s.mistake for s in chain) for chain in left)
     return []
 
 
@@ -166,6 +166,6 @@ def _distance(a: Floats, b: Floats) -> float:
     return float(np.abs(a - b).max()) if a.shape == b.shape else np.inf
 
 
-def _unique(explanations: Iterable[Explanation]) -> list[Explanation]:
+def unique(explanations: Iterable[Explanation]) -> list[Explanation]:
     """Each set of mistakes once, whatever the order of the two."""
     return list({frozenset(m.key for m in e): e for e in explanations}.values())

@@ -1,50 +1,19 @@
-"""Tasks about a chain: its pose for a configuration, and its Denavit-Hartenberg table."""
+"""The task of finding a Denavit-Hartenberg table."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from dhlab.diagnosis.chain_slips import Table, chain_slips, evaluate_tables, table_of
+from dhlab.diagnosis.chain_slips import table_slips
 from dhlab.diagnosis.gauge import Match, match
-from dhlab.diagnosis.matrix import judge_matrices
-from dhlab.diagnosis.slips import NOTHING, Explanation, verdict_of
-from dhlab.diagnosis.values import TOLERANCE, Unreadable, numbers
-from dhlab.diagnosis.verdict import Case, Verdict
-from dhlab.errors import InputError
+from dhlab.diagnosis.reading import read_chain
+from dhlab.diagnosis.slips import NOTHING, verdict_of
+from dhlab.diagnosis.table_search import explain_table, invariants, joint_counts
+from dhlab.diagnosis.values import Unreadable
+from dhlab.diagnosis.verdict import Case, Verdict, mistake
 from dhlab.kinematics.chain import Chain
-
-
-@dataclass(frozen=True, eq=False)
-class ForwardTask:
-    """A function from a configuration to the pose of the tip.
-
-    Parameters
-    ----------
-    chain : Chain
-        What is right. Each case has one argument, the configuration, shape (n,).
-    tolerance : float
-
-    Examples
-    --------
-    >>> arm = Chain([(0, 0, 0, 0), (1, 0.3, 0, 0)], "rr", grasper=(0.2, 0, 0))
-    >>> no_tool = arm.replace(grasper=(0, 0, 0))
-    >>> cases = [((q,), no_tool.tip(q)) for q in ([0.3, 1.2], [-1.0, 0.4])]
-    >>> [m.key for m in ForwardTask(arm).judge(cases).mistakes]
-    ['no-tool']
-    """
-
-    chain: Chain
-    tolerance: float = TOLERANCE
-
-    def judge(self, cases: Sequence[Case]) -> Verdict:
-        """Judge an answer by what came for several configurations."""
-        if not cases:
-            return NOTHING
-        models = [table_of(self.chain, np.asarray(inputs[0], float)) for inputs, _ in cases]
-        slips = chain_slips(self.chain)
-        return judge_matrices(cases, models, slips, 4, self.tolerance, evaluate_tables)
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,48 +57,79 @@ class TableTask:
 
     def _judge(self, value: Any) -> Verdict:
         try:
-            came = self._read(value)
-        except (Unreadable, InputError) as refusal:
+            came = read_chain(value, self.chain, self.zero_free)
+        except Unreadable as refusal:
             return Verdict(False, str(refusal))
+        if came.n != self.chain.n:
+            return self._other_length(came)
         if came.joints != self.chain.joints:
             return Verdict(False, _letters_seen(came.joints, self.chain.joints))
         found = self._match(self.chain, came)
         if found is not None:
             return Verdict(True, _choice(found))
-        return verdict_of(_table_seen(self.chain, came), self._explain(came))
+        slips = table_slips(self.chain)
+        return verdict_of(self._seen(came), explain_table(self.chain, came, slips, self._matches))
 
     def _match(self, wanted: Chain, came: Chain) -> Match | None:
         return match(wanted, came, self.base_free, self.tool_free, self.zero_free)
 
-    def _explain(self, came: Chain) -> list[Explanation]:
-        model = table_of(self.chain, self.chain.home)
-        found: list[Explanation] = []
-        for slip in chain_slips(self.chain, table=True):
-            wrong: Table = slip.change(model)
-            chain = wrong.chain(self.chain)
-            if chain is not None and self._match(chain, came):
-                found.append((slip.mistake,))
-        return list({e[0].key: e for e in found}.values())
+    def _matches(self, wanted: Chain, came: Chain) -> bool:
+        return self._match(wanted, came) is not None
 
-    def _read(self, value: Any) -> Chain:
-        given = dict(value) if isinstance(value, Mapping) else {"rows": value}
-        rows = numbers(given.pop("rows", None), [(-1, 4)], "the table")
-        n = self.chain.n
-        if len(rows) != n:
-            less = "fewer" if len(rows) < n else "more"
-            raise Unreadable(f"The table has {less} rows than the mechanism has joints.")
-        known = {"joints", "convention", "base", "grasper", "offset"}
-        fields = {name: given[name] for name in known & given.keys() if given[name] is not None}
-        if (np.abs(rows[:, [0, 3]]) > 2 * np.pi + 1e-9).any():
-            raise Unreadable(
-                "An angle of the table is more than a full turn: are these degrees? "
-                "What is a quarter turn in radians?"
+    def _other_length(self, came: Chain) -> Verdict:
+        less, way = ("fewer", "skipped") if came.n < self.chain.n else ("more", "doubled")
+        seen = f"The table has {less} rows than the mechanism has joints."
+        question = "To which joint does each row belong?"
+        how = {"skipped": "joint {} has no row", "doubled": "joint {} has two rows"}[way]
+        found = [
+            (mistake(f"{way}-{i}", how.format(i), question),)
+            for way, i in joint_counts(self.chain, came, self._matches)
+        ]
+        return verdict_of(seen, found)
+
+    def _seen(self, came: Chain) -> str:
+        """Name the first axis that does not lie where the mechanism has it."""
+        off = np.abs(invariants(self.chain) - invariants(came)) > 1e-4
+        if off.any():
+            i = int(np.flatnonzero(off.any(axis=0))[0])
+            what = int(np.flatnonzero(off[:, i])[0])
+            between = f"joints {i + 1} and {i + 2}"
+            return (
+                f"The axes of {between} enclose another angle than they should.",
+                f"The axes of {between} are not as far apart as they should be.",
+                f"Along the axis of joint {i + 1}, its neighbours are not as far apart as they "
+                "should be.",
+            )[what]
+        if not self.zero_free and match(self.chain, came, self.base_free, self.tool_free):
+            return "The robot moves as it should, but joints count from another zero."
+        alike = (i for i in range(self.chain.n) if not self._begins_alike(came, i + 1))
+        first = next(alike, self.chain.n)
+        if first == self.chain.n:
+            return (
+                "All axes lie where they should, but the tip does not: look at the last row, and "
+                "at what stands behind it."
             )
-        own = ("joints", "convention", "base", "grasper")
-        defaults = {name: getattr(self.chain, name) for name in own}
-        if not self.zero_free:
-            defaults["offset"] = self.chain.offset
-        return Chain(rows.tolist(), **(defaults | fields))
+        if first == 0:
+            return "The axis of joint 1 does not lie where it should: what stands before it?"
+        return (
+            f"Up to joint {first} the table moves as it should, but the axis of joint {first + 1} "
+            f"does not lie where it should: look at rows {first} and {first + 1}."
+        )
+
+    def _begins_alike(self, came: Chain, joints: int) -> bool:
+        """Whether the first joints move what follows them as they should."""
+        wanted, begun = _beginning(self.chain, joints), _beginning(came, joints)
+        return match(wanted, begun, self.base_free, True, self.zero_free) is not None
+
+
+def _beginning(chain: Chain, joints: int) -> Chain:
+    return chain.replace(
+        rows=chain.rows[:joints],
+        joints=chain.joints[:joints],
+        offset=chain.offset[:joints],
+        limits=None,
+        grasper=(0, 0, 0),
+    )
 
 
 def _letters_seen(came: str, wanted: str) -> str:
@@ -147,23 +147,3 @@ def _choice(found: Match) -> str:
     if zeros:
         parts.append(f"joint {', '.join(zeros)} counts from another zero")
     return f"One of several right tables: {'; '.join(parts)}." if parts else ""
-
-
-def _table_seen(wanted: Chain, came: Chain) -> str:
-    """Name the first link between two axes that is not the mechanism's."""
-    for i, (a, b) in enumerate(zip(_links(wanted), _links(came), strict=True)):
-        if abs(a[0] - b[0]) > 1e-5:
-            return f"The axes of joints {i + 1} and {i + 2} enclose another angle than they should."
-        if abs(a[1] - b[1]) > 1e-5:
-            return f"The axes of joints {i + 1} and {i + 2} are not as far apart as they should be."
-    return (
-        "Neighbouring axes enclose the right angles at the right distances, but the tip does not "
-        "move as it should: look at the signs, at d, and at what stands before and behind."
-    )
-
-
-def _links(chain: Chain) -> list[tuple[float, float]]:
-    """Cosine between neighbouring axes, regardless of their senses, and their distance."""
-    down = chain if chain.convention == "modified" else chain.to_modified()
-    pairs = zip(down.rows[1:], down.joints, down.joints[1:], strict=False)
-    return [(abs(np.cos(r.alpha)), abs(r.a) if a == b == "r" else 0.0) for r, a, b in pairs]

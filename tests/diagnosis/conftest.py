@@ -1,9 +1,13 @@
 """How the tests of diagnosis count: which mistakes were made, and which were named."""
 
 from collections import Counter
+from math import pi
 from time import perf_counter
 
 import pytest
+
+from dhlab.kinematics.chain import Chain
+from dhlab.kinematics.transforms import rotx, rp2t
 
 
 def keys_of(verdict):
@@ -74,3 +78,28 @@ def tally(record_property):
 def keys():
     """Keys of the mistakes of each explanation of a verdict."""
     return keys_of
+
+
+def random_chain(rng):
+    """A chain of two to six joints: special and slanted angles, base, tool, sometimes offsets."""
+    n = int(rng.integers(2, 7))
+    joints = "".join(rng.choice(["r", "r", "p"], n))
+    angles = (0, pi / 2, -pi / 2, 0.4, -1.1)
+    rows = [
+        (rng.choice(angles), rng.uniform(-1, 1), rng.uniform(-1, 1), rng.choice(angles))
+        for _ in range(n)
+    ]
+    return Chain(
+        rows,
+        joints,
+        rng.choice(["modified", "standard"]),
+        base=rng.uniform(-1, 1, 3),
+        grasper=rp2t(rotx(rng.uniform(-1, 1)), rng.uniform(-1, 1, 3)),
+        offset=rng.uniform(-1, 1, n) * rng.integers(2),
+    )
+
+
+@pytest.fixture
+def chains():
+    """From a generator of random numbers to a chain."""
+    return random_chain

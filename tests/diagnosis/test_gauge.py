@@ -90,3 +90,14 @@ def test_another_length_does_not_match():
     for joint, name in [(2, "a"), (3, "a"), (1, "d")]:
         assert match(chain, chain.replace(joint, **{name: 0.35})) is None
     assert match(chain, chain.replace(1, d=0.9), base_free=True, tool_free=True)
+
+
+def test_without_a_free_zero_offsets_are_part_of_the_mechanism():
+    rng = np.random.default_rng(9)
+    for _ in range(100):
+        chain = random_chain(rng)
+        shifted = chain.replace(offset=rng.uniform(0.2, 1, chain.n))
+        assert match(shifted, shifted.to_standard(), zero_free=False)
+        assert match(chain, shifted, zero_free=True)
+        same = np.allclose(chain.tip(np.ones(chain.n)), shifted.tip(np.ones(chain.n)))
+        assert same or not match(chain, shifted, zero_free=False)

@@ -1,0 +1,125 @@
+"""The search for what went wrong in a table, up to every choice that a right table may make."""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import TypeAlias
+
+import numpy as np
+
+from dhlab.diagnosis.chain_slips import convention_mistake
+from dhlab.diagnosis.slips import ALTERNATIVES, Explanation, Slip, unique
+from dhlab.diagnosis.table_model import Table, chain_of, table_of
+from dhlab.diagnosis.values import Floats
+from dhlab.kinematics.chain import Chain
+
+Matches: TypeAlias = Callable[[Chain, Chain], bool]
+NEAR = 1e-3
+"""Links as near as this are looked at closely; this is no bound on what is right."""
+MATCHES = 400
+"""So many pairs are looked at closely, at most: an answer at once is worth more than the last."""
+
+
+def explain_table(
+    wanted: Chain, came: Chain, slips: Sequence[Slip[Table]], matches: Matches
+) -> list[Explanation]:
+    """Find the fewest slips that make the table that came, or one that moves as it does.
+
+    Parameters
+    ----------
+    wanted, came : Chain
+        With the same joints.
+    slips : sequence of Slip
+    matches : callable
+        Whether the second chain moves as the first, up to the choices that are free.
+
+    Returns
+    -------
+    explanations : list of tuples of Mistake
+    """
+    model = table_of(wanted, wanted.home)
+    singles = [((slip.mistake,), slip.change(model)) for slip in slips]
+    other = came.replace(convention="standard" if came.convention == "modified" else "modified")
+    convention = convention_mistake(came.convention)
+    found = [*_fitting(singles, wanted, came, matches)]
+    if matches(wanted, other):
+        found.append((convention,))
+    if found:
+        return unique(found)
+    with_convention = [((convention, *e), wrong) for e, wrong in singles]
+    pairs = [
+        ((*first, second.mistake), second.change(wrong))
+        for (first, wrong), k in zip(singles, range(len(slips)), strict=True)
+        for second in slips[k + 1 :]
+    ]
+    found = [
+        *_fitting(with_convention, wanted, other, matches),
+        *_fitting(pairs, wanted, came, matches),
+    ]
+    return unique(found)
+
+
+def joint_counts(wanted: Chain, came: Chain, matches: Matches) -> Iterator[tuple[str, int]]:
+    """Which joint is left out of a table that has a row less, or doubled in one with a row more."""
+    step = came.n - wanted.n
+    if abs(step) != 1:
+        return
+    for i in range(wanted.n):
+        rows, letters = list(wanted.rows), list(wanted.joints)
+        if step < 0:
+            del rows[i], letters[i]
+        else:
+            rows.insert(i, rows[i])
+            letters.insert(i, letters[i])
+        changed = wanted.replace(rows=rows, joints=letters, offset=None, limits=None)
+        letters_fit = came.replace(joints=letters)
+        if matches(changed, letters_fit):
+            yield ("skipped" if step < 0 else "doubled", i + 1)
+
+
+def invariants(chain: Chain) -> Floats:
+    """What no choice changes between neighbouring axes, shape (3, n - 1).
+
+    The cosine between two axes regardless of their senses; their distance, where both turn; and
+    the way along an axis between the common normals on both sides of it, where there is one.
+    """
+    alpha, a = _links(chain)
+    d = np.array([row.d for row in chain.rows[:-1]])
+    return _invariant(alpha, a, d, chain.joints)
+
+
+def _links(chain: Chain) -> tuple[Floats, Floats]:
+    rows = np.array(chain.rows).reshape(-1, 4)
+    links = rows[1:] if chain.convention == "modified" else rows[:-1]
+    return links[:, 0], links[:, 1]
+
+
+def _invariant(alpha: Floats, a: Floats, d: Floats, joints: str) -> Floats:
+    turns = np.array([letter == "r" for letter in joints])
+    both = turns[1:] & turns[:-1]
+    slanted = (np.abs(np.sin(alpha)) > NEAR) & both
+    between = np.zeros(alpha.shape)
+    between[..., 1:] = np.where(slanted[..., 1:] & slanted[..., :-1], np.abs(d[..., 1:]), 0)
+    return np.stack([np.abs(np.cos(alpha)), np.where(both, np.abs(a), 0), between], axis=-2)
+
+
+def _fitting(
+    candidates: Sequence[tuple[Explanation, Table]], wanted: Chain, came: Chain, matches: Matches
+) -> list[Explanation]:
+    """Explanations whose tables move as the one that came; links are compared first."""
+    whole = [(e, t) for e, t in candidates if t.is_chain(wanted.n)]
+    if not whole:
+        return []
+    rows = np.array([t.rows[:, list(t.columns)] for _, t in whole])
+    shift = [0 if t.standard else 1 for _, t in whole]
+    links = np.array([r[k : k + wanted.n - 1, :2] for r, k in zip(rows, shift, strict=True)])
+    same_kinds = np.array(["".join(t.kinds) == came.joints for _, t in whole])
+    there = _invariant(links[..., 0], links[..., 1], rows[:, :-1, 2], came.joints)
+    off = np.abs(there - invariants(came)) > NEAR * (1 + np.abs(there))
+    near = np.flatnonzero(~off.any(axis=(1, 2)) & same_kinds)[:MATCHES]
+    found: list[Explanation] = []
+    for k in near.tolist():
+        explanation, table = whole[k]
+        if matches(chain_of(table), came):
+            found.append(explanation)
+            if len(found) > ALTERNATIVES:
+                break
+    return found

@@ -45,6 +45,8 @@ READY = """() => {
   return panel?.sessionContext?.session?.kernel?.status === "idle" && panel.content.widgets.length;
 }"""
 
+RUN_ALL = "async () => { await jupyterapp.commands.execute('notebook:run-all-cells'); }"
+
 RUN_CELL = """async (index) => {
   const { content, context } = jupyterapp.shell.currentWidget;
   content.activeCellIndex = index;

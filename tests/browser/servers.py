@@ -46,10 +46,7 @@ def serving_notebooks(
     (home / "config").mkdir()
     for name in ("jupyter_lab_config.py", "jupyter_notebook_config.py"):
         (home / "config" / name).write_text(CONFIGURATION)
-    for plugin, setting in QUIET.items():
-        file = home / "settings" / f"{plugin}.jupyterlab-settings"
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(setting)
+    write_settings(home / "settings")
     port = free_port()
     url = f"http://127.0.0.1:{port}"
     command = [sys.executable, "-m", module, f"--port={port}", f"--notebook-dir={root}"]
@@ -117,6 +114,14 @@ def surroundings(home: Path, paths: Sequence[Path] = ()) -> dict[str, str]:
         "JUPYTERLAB_WORKSPACES_DIR": str(home / "workspaces"),
         "PYTHONPATH": os.pathsep.join([str(ROOT), *map(str, paths), *sys.path]),
     }
+
+
+def write_settings(folder: Path) -> None:
+    """Write settings of JupyterLab under which it asks for no news and saves when told."""
+    for plugin, setting in QUIET.items():
+        file = folder / f"{plugin}.jupyterlab-settings"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(setting)
 
 
 def free_port() -> int:

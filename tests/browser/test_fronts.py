@@ -11,11 +11,9 @@ import pytest
 from dhlab import models
 
 from .fronts import CELLS, PLAYER, Seat
-from .lab import READY, Lab
+from .lab import READY, RUN_ALL, Lab
 from .servers import free_port, serving, serving_notebooks, surroundings
 from .test_saved import at, furthest
-
-RUN_ALL = "async () => { await jupyterapp.commands.execute('notebook:run-all-cells'); }"
 
 
 @contextmanager

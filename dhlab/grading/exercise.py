@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import re
 import traceback
 import unicodedata
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -16,7 +17,7 @@ from dhlab.errors import DhlabError, InputError
 from dhlab.grading.question import Question
 from dhlab.scene.handle import Handle
 
-CHECKS = "checks.py"
+CHECKS, NOTEBOOK = "checks.py", "exercise.py"
 Given = dict[str, Any]
 
 
@@ -34,12 +35,16 @@ class Exercise:
         Its `checks.py`.
     where : str
         What an error calls that file.
+    tools : tuple of str
+        What its notebook imports of dhlab: answers may compute with that, and with nothing else
+        of dhlab.
     """
 
     name: str
     text: str
     where: str
     parts: Mapping[str, Callable[..., Any]] = field(repr=False, compare=False)
+    tools: tuple[str, ...] = ()
 
     @property
     def is_personal(self) -> bool:
@@ -122,8 +127,8 @@ class Exercise:
             raise InputError(f"exercise {self.name!r} has no picture {name!r}; there are: {there}")
         return tuple(drawn[name])
 
-    def __reduce__(self) -> tuple[Callable[..., "Exercise"], tuple[str, str, str]]:
-        return exercise_from_text, (self.text, self.name, self.where)
+    def __reduce__(self) -> tuple[Callable[..., "Exercise"], tuple[Any, ...]]:
+        return exercise_from_text, (self.text, self.name, self.where, self.tools)
 
 
 def load_exercise(folder: Path) -> Exercise:
@@ -149,10 +154,14 @@ def load_exercise(folder: Path) -> Exercise:
         text = path.read_text("utf-8")
     except UnicodeDecodeError as error:
         raise DhlabError(f"{path} is not written in UTF-8 ({error})") from None
-    return exercise_from_text(text, path.resolve().parent.name, str(path))
+    notebook = path.with_name(NOTEBOOK)
+    tools = imports_from_dhlab(notebook.read_text("utf-8")) if notebook.is_file() else ()
+    return exercise_from_text(text, path.resolve().parent.name, str(path), tools)
 
 
-def exercise_from_text(text: str, name: str, where: str = CHECKS) -> Exercise:
+def exercise_from_text(
+    text: str, name: str, where: str = CHECKS, tools: Sequence[str] = ()
+) -> Exercise:
     r"""Make an exercise from the text of a `checks.py`.
 
     Parameters
@@ -163,6 +172,8 @@ def exercise_from_text(text: str, name: str, where: str = CHECKS) -> Exercise:
     name : str
     where : str
         What an error calls the file.
+    tools : sequence of str
+        What answers may use of dhlab.
 
     Returns
     -------
@@ -188,7 +199,20 @@ def exercise_from_text(text: str, name: str, where: str = CHECKS) -> Exercise:
     parts = {part: namespace[part] for part in known if callable(namespace.get(part))}
     if "questions" not in parts:
         raise DhlabError(f"{where} must define questions(given), which returns a list of Questions")
-    return Exercise(name, text, where, parts)
+    return Exercise(name, text, where, parts, tuple(tools))
+
+
+def imports_from_dhlab(text: str) -> tuple[str, ...]:
+    r"""Names that ``from dhlab import ...`` brings into a notebook written as text.
+
+    Examples
+    --------
+    >>> imports_from_dhlab("import numpy\nfrom dhlab import deg, rotz as turn\n")
+    ('deg', 'rotz')
+    """
+    statements = re.findall(r"^from dhlab import (?:\(([^)]*)\)|(.+))$", text, re.MULTILINE)
+    words = [word.split() for names in statements for word in "".join(names).split(",")]
+    return tuple(dict.fromkeys(word[0] for word in words if word))
 
 
 def seed_of(course: str, student: str) -> int:

@@ -102,7 +102,7 @@ def mark_cells(
     given = exercise.numbers(student, course)
     questions = exercise.questions(given)
     asks = [_ask(exercise, question, seed) for question in questions]
-    run = run_cells(cells, asks, given, sandbox=sandbox, limits=limits)
+    run = run_cells(cells, asks, given, tools=exercise.tools, sandbox=sandbox, limits=limits)
     judged = tuple(
         judge(question, list(zip(ask.cases, run.replies[ask.name], strict=True)))
         for question, ask in zip(questions, asks, strict=True)

@@ -7,7 +7,9 @@ from typing import Any
 
 from dhlab.grading.asked import Ask, NoValue, Reason
 from dhlab.grading.heard import Heard
+from dhlab.grading.mounts import Room
 from dhlab.grading.sandbox import Limits, Sandbox, check_sandbox, started
+from dhlab.grading.tools import tool_modules
 from dhlab.grading.values import to_json
 from dhlab.grading.watched import watch
 
@@ -51,6 +53,7 @@ def run_cells(
     asks: Sequence[Ask],
     given: Mapping[str, Any],
     *,
+    tools: Sequence[str] = (),
     sandbox: Sandbox = "bwrap",
     limits: Limits | None = None,
 ) -> Run:
@@ -65,6 +68,8 @@ def run_cells(
         views and checks do nothing; others where dhlab is there.
     given : mapping
         What ``check.numbers(STUDENT)`` gives, whoever is named.
+    tools : sequence of str
+        Names of dhlab that compute and are there all the same.
     sandbox : {'bwrap', 'none'}
         'none' runs the cells unprotected, as this user: for work that is trusted.
     limits : Limits, optional
@@ -80,7 +85,7 @@ def run_cells(
     """
     check_sandbox(sandbox)
     start = time.monotonic()
-    rounds = _Rounds(cells, given, sandbox, limits or Limits())
+    rounds = _Rounds(cells, given, tool_modules(tools), sandbox, limits or Limits())
     replies: dict[str, tuple[Any, ...]] = {}
     for library in (False, True):
         group = [ask for ask in asks if (ask.kind != "values") == library]
@@ -98,6 +103,7 @@ class _Rounds:
 
     cells: Sequence[str]
     given: Mapping[str, Any]
+    tools: Mapping[str, str]
     sandbox: Sandbox
     limits: Limits
     left_out: set[int] = field(default_factory=set)
@@ -127,10 +133,12 @@ class _Rounds:
             "asks": [_written(ask) for ask in asks],
             "given": dict(self.given),
             "parts": ["dhlab.grading"] if library else ["dhlab"],
+            "tools": {} if library else dict(self.tools),
             "limits": asdict(self.limits),
         }
         heard = Heard({k for k, _ in numbered}, asks)
-        with started(job, self.sandbox, self.limits, library) as process:
+        room = Room(library=True) if library else Room(modules=tuple(self.tools.values()))
+        with started(job, self.sandbox, self.limits, room) as process:
             stopped = watch(process, heard, self.limits, self.deadline)
         self.notes += heard.notes
         self.student = heard.student if self.student is None else self.student

@@ -4,7 +4,6 @@ import json
 import os
 import shutil
 import signal
-import site
 import subprocess
 import sys
 import tempfile
@@ -15,23 +14,23 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
 
-import numpy as np
 import psutil
 
 from dhlab.errors import DhlabError, InputError
+from dhlab.grading.mounts import (
+    INSIDE,
+    MOUNTED,
+    Room,
+    mounts,
+    package_folders,
+    python,
+)
+from dhlab.grading.tools import PACKAGE
 
 Sandbox: TypeAlias = Literal["bwrap", "none"]
 
-PACKAGE = Path(__file__).resolve().parents[1]
-INSIDE = Path(__file__).resolve().parent / "inside"
-MOUNTED = "/grader/inside"
-SYSTEM = ("/usr", "/lib", "/lib32", "/lib64", "/libx32", "/bin", "/sbin", "/nix/store")
-CACHES = ("/etc/ld.so.cache", "/etc/fonts")
 USERS = range(60578, 61184)
 """User numbers that no system hands out (systemd's list of them)."""
-
-HIDDEN = ("grading", "diagnosis", "exercises", "notebooks")
-"""Parts of dhlab that are not there where the rest of it is."""
 
 ADVICE = (
     "install bubblewrap (`apt install bubblewrap`) and allow user namespaces, or, for work that "
@@ -103,7 +102,7 @@ def check_sandbox(sandbox: Sandbox) -> None:
 
 @contextmanager
 def started(
-    job: Mapping[str, Any], sandbox: Sandbox, limits: Limits, library: bool
+    job: Mapping[str, Any], sandbox: Sandbox, limits: Limits, room: Room
 ) -> Iterator[subprocess.Popen[bytes]]:
     """Start a process on a job; at the end it and everything that came from it is gone.
 
@@ -113,8 +112,8 @@ def started(
         What `dhlab.grading.inside.main` reads.
     sandbox : {'bwrap', 'none'}
     limits : Limits
-    library : bool
-        Whether dhlab itself is there.
+    room : Room
+        What of dhlab is there.
 
     Yields
     ------
@@ -127,7 +126,7 @@ def started(
         path.write_text(json.dumps(job, allow_nan=False), "utf-8")
         with path.open("rb") as source:
             path.unlink()
-            command = _bwrap(limits, library) if sandbox == "bwrap" else _bare(library)
+            command = _bwrap(limits, room) if sandbox == "bwrap" else _bare(room)
             process = subprocess.Popen(
                 command,
                 stdin=source,
@@ -173,75 +172,24 @@ def _kill(process: int) -> None:
         os.kill(process, signal.SIGKILL)
 
 
-def _bare(library: bool) -> list[str]:
+def _bare(room: Room) -> list[str]:
     """Return the command without a sandbox."""
-    packages = [*_packages(), *([str(PACKAGE.parent)] if library else [])]
-    return [_python(), "-I", "-S", "-B", str(INSIDE / "boot.py"), "0", *packages]
+    return [python(), "-I", "-S", "-B", str(INSIDE / "boot.py"), "0", *package_folders(room)]
 
 
-def _bwrap(limits: Limits, library: bool) -> list[str]:
+def _bwrap(limits: Limits, room: Room) -> list[str]:
     """Return the command of a sandbox: Python and packages to read, a little memory to write."""
-    packages = [*_packages(), *([str(PACKAGE.parent)] if library else [])]
+    boot = f"{MOUNTED}/{INSIDE.relative_to(PACKAGE)}/boot.py"
     return [
         *("bwrap", "--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts"),
         *("--unshare-cgroup-try", "--new-session", "--die-with-parent", "--hostname", "sandbox"),
         *("--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID") * (os.getuid() == 0),
         *("--size", str(limits.scratch), "--perms", "1777", "--tmpfs", "/tmp"),
-        *_mounts(library),
+        *mounts(room),
         *("--proc", "/proc", "--dev", "/dev", "--size", "1048576", "--tmpfs", "/dev/shm"),
         *("--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/tmp"),
-        *(_python(), "-I", "-S", "-B", f"{MOUNTED}/boot.py", str(_user()), *packages),
+        *(python(), "-I", "-S", "-B", boot, str(_user()), *package_folders(room)),
     ]
-
-
-def _mounts(library: bool) -> Iterator[str]:
-    """Yield the arguments that show files to the sandbox, and hide some of them again."""
-    shown: list[Path] = []
-    folders = [*SYSTEM, *CACHES, _home(), *_packages(), *([str(PACKAGE)] if library else [])]
-    for source, target in [*((f, f) for f in folders), (str(INSIDE), MOUNTED)]:
-        path = Path(target)
-        if Path(source).is_symlink():
-            yield from ("--symlink", os.readlink(source), target)
-        elif Path(source).exists() and not any(path.is_relative_to(other) for other in shown):
-            for parent in reversed(path.parents[:-1]):
-                yield from ("--dir", str(parent))
-            yield from ("--ro-bind", source, target)
-            shown.append(path)
-    for hidden in _hidden(library):
-        if any(hidden.is_relative_to(path) for path in shown) and hidden.is_dir():
-            yield from ("--size", "4096", "--tmpfs", str(hidden), "--remount-ro", str(hidden))
-
-
-def _hidden(library: bool) -> list[Path]:
-    """Return the folders that hold solutions, or the functions that are asked for."""
-    prefixes = {path.resolve() for path in map(Path, [*_packages(), *_base_packages()])}
-    copies = {PACKAGE, *(path / "dhlab" for path in prefixes)}
-    if not library:
-        return sorted(copies)
-    return sorted(copies - {PACKAGE}) + [PACKAGE / part for part in HIDDEN]
-
-
-def _packages() -> list[str]:
-    """Return the folders of installed packages that this process imports from."""
-    names = ("site-packages", "dist-packages")
-    found = [Path(p).resolve() for p in sys.path if Path(p).name in names and Path(p).is_dir()]
-    return [str(p) for p in dict.fromkeys([*found, Path(np.__file__).resolve().parents[1]])]
-
-
-def _base_packages() -> list[str]:
-    """Return the folders of packages that belong to the Python below a virtual environment."""
-    return site.getsitepackages([sys.base_prefix])
-
-
-def _python() -> str:
-    """Return the Python below a virtual environment."""
-    base = getattr(sys, "_base_executable", None) or sys.executable
-    return str(Path(base).resolve())
-
-
-def _home() -> str:
-    """Return the folder that this Python is in."""
-    return str(Path(sys.base_prefix).resolve())
 
 
 def _user() -> int:

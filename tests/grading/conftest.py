@@ -4,6 +4,10 @@ import textwrap
 
 import pytest
 
+from dhlab.grading.asked import Ask
+from dhlab.grading.runner import run_cells
+from dhlab.grading.sandbox import SandboxError
+
 CHECKS = """
 from dhlab import csys
 from dhlab.diagnosis import MatrixTask, turn
@@ -108,3 +112,18 @@ def edit(folder):
         path.write_text(text.replace(old, new, 1), "utf-8")
 
     return edit
+
+
+@pytest.fixture(scope="session")
+def sandbox():
+    """The sandbox of this machine; 'none' where bubblewrap does not work."""
+    return "bwrap" if works("bwrap") else "none"
+
+
+def works(sandbox):
+    """Whether a sandbox works here."""
+    try:
+        run_cells(["x = 1"], [Ask("x")], {}, sandbox=sandbox)
+    except SandboxError:
+        return False
+    return True

@@ -7,13 +7,6 @@ import pytest
 
 from dhlab.grading.exercise import exercise_from_text
 from dhlab.grading.mark import imports_of, mark_cells
-from dhlab.grading.sandbox import SandboxError, check_sandbox
-
-try:
-    check_sandbox("bwrap")
-    SANDBOX = "bwrap"
-except SandboxError:
-    SANDBOX = "none"  # what is tried here is not hostile
 
 EXERCISE = exercise_from_text(
     """
@@ -52,39 +45,44 @@ R_x = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
 SHOWN = 'View("mine").add(csys(rp2t(rot_z(90 * deg), (0, 0, 0))))\ncheck("rot_z", rot_z)'
 
 
-def marked(*cells, student="Ada", seed=1, named="Ada"):
-    """The submission of these cells, marked."""
-    all_cells = [f"STUDENT = {named!r}", START, *cells]
-    return mark_cells(EXERCISE, student, all_cells, seed=seed, course="robots", sandbox=SANDBOX)
+@pytest.fixture
+def marked(sandbox):
+    """A function that marks the submission of some cells."""
+
+    def mark(*cells, student="Ada", seed=1, named="Ada"):
+        all_cells = [f"STUDENT = {named!r}", START, *cells]
+        return mark_cells(EXERCISE, student, all_cells, seed=seed, course="robots", sandbox=sandbox)
+
+    return mark
 
 
-def test_a_right_submission_gets_all_points():
+def test_a_right_submission_gets_all_points(marked):
     ada = marked(ROT_Z, SHOWN, R_X)
     assert (ada.points, ada.out_of, ada.status, ada.reason) == (3, 3, "graded", "")
     assert (ada.notes, ada.left_out) == ((), ())
     assert [q.reason for q in ada.questions] == ["right", "right"]
 
 
-def test_a_question_is_worth_all_its_points_or_none():
+def test_a_question_is_worth_all_its_points_or_none(marked):
     half = marked(ROT_Z, "R_x = ...")
     assert [q.points for q in half.questions] == [2, 0]
     assert "Which row stays" in half.questions[1].text
 
 
-def test_what_fits_the_examples_alone_gets_nothing():
+def test_what_fits_the_examples_alone_gets_nothing(marked):
     table = "def rot_z(t):\n    assert t == 0.3\n    return right(t)\n"
     only = marked(ROT_Z.replace("rot_z", "right"), table)
     assert only.questions[0].reason == "raised"
     assert only.questions[0].points == 0
 
 
-def test_a_mistake_is_named():
+def test_a_mistake_is_named(marked):
     wrong = marked(ROT_Z.replace("-np.sin", "+np.sin").replace("[np.sin", "[-np.sin"), R_X)
     assert "inverse" in wrong.questions[0].mistakes
     assert wrong.questions[1].right
 
 
-def test_the_further_cases_are_those_of_the_seed():
+def test_the_further_cases_are_those_of_the_seed(marked):
     spy = "def rot_z(t):\n    raise ValueError(t)\n"
     first, again, other = (marked(spy, seed=seed).questions[0].text for seed in (1, 1, 2))
     assert first == again == other  # the first case is the example
@@ -92,28 +90,28 @@ def test_the_further_cases_are_those_of_the_seed():
     assert marked(ROT_Z.replace("rot_z", "right"), spy).points == 0
 
 
-def test_the_numbers_are_those_of_the_student_who_is_marked():
+def test_the_numbers_are_those_of_the_student_who_is_marked(marked):
     ada = marked(R_X, named="Charles")
     assert ada.questions[1].right
     assert "names 'Charles', the submission is that of 'Ada'" in ada.reason
 
 
 @pytest.mark.parametrize("named", ["ada ", "ADA"])
-def test_a_name_may_be_written_in_another_way(named):
+def test_a_name_may_be_written_in_another_way(marked, named):
     assert marked(R_X, named=named).reason == ""
 
 
-def test_a_notebook_without_a_name_is_told_so():
+def test_a_notebook_without_a_name_is_told_so(marked):
     assert "names nobody" in marked(R_X, named="").reason
 
 
-def test_a_cell_that_ends_everything_is_left_out_and_told():
+def test_a_cell_that_ends_everything_is_left_out_and_told(marked):
     part = marked("import os\nos._exit(0)", ROT_Z, R_X)
     assert (part.points, part.status, part.left_out) == (3, "partly graded", (3,))
     assert part.reason == "cell 3 was left out: it ended the whole program."
 
 
-def test_all_of_it_is_plain_data():
+def test_all_of_it_is_plain_data(marked):
     whole = asdict(marked(ROT_Z, "R_x = '<b>'"))
     assert json.loads(json.dumps(whole, allow_nan=False))["student"] == "Ada"
 

@@ -13,13 +13,14 @@ import sys
 import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from importlib import import_module
 from typing import Any
 
 from dhlab.grading.inside.answers import no, reply, told
 from dhlab.grading.inside.cells import new_namespace, run_cell
 from dhlab.grading.inside.notes import watch
 from dhlab.grading.inside.plain import from_json, loads
-from dhlab.grading.inside.stub import install
+from dhlab.grading.inside.stub import Stage, install
 
 Say = Callable[..., None]
 
@@ -33,10 +34,12 @@ def main() -> None:
     limit(job["limits"])
     say(ready=True)
     silence()
+    tools = {name: getattr(import_module(m), name) for name, m in job["tools"].items()}
     forget_own_modules()
-    install(job["given"], job["parts"], lambda text: say(note=text), lambda n: say(student=n[:200]))
+    note, named = (lambda text: say(note=text)), (lambda name: say(student=name[:200]))
+    install(Stage(job["given"], job["parts"], tools), note, named)
     names = new_namespace()
-    watch(lambda text: say(note=text))
+    watch(note)
     run_cells(job["cells"], names, say)
     for k, ask in enumerate(job["asks"]):
         say(question=k)

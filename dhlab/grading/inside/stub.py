@@ -165,28 +165,38 @@ class Library(MetaPathFinder, Loader):
         return Nothing(name, self.said)
 
 
-def install(
-    given: Mapping[str, Any],
-    parts: Sequence[str],
-    said: Callable[[str], None],
-    named: Callable[[str], None],
-) -> None:
-    """Replace dhlab, or parts of it, for all cells that follow.
+class Stage(NamedTuple):
+    """What the cells find.
 
-    Parameters
+    Attributes
     ----------
     given : mapping
         The numbers of the student who is marked.
     parts : sequence of str
-        "dhlab", or the parts that are replaced where the rest is real.
+        "dhlab", or the parts of it that are replaced where the rest is real.
+    tools : mapping
+        What is real all the same.
+    """
+
+    given: Mapping[str, Any]
+    parts: Sequence[str]
+    tools: Mapping[str, Any]
+
+
+def install(stage: Stage, said: Callable[[str], None], named: Callable[[str], None]) -> None:
+    """Replace dhlab, or parts of it, for all cells that follow.
+
+    Parameters
+    ----------
+    stage : Stage
     said, named : callable
         Told what is noted, and the name that the notebook gives.
     """
 
     def checks(*_: Any, **__: Any) -> Checks:
-        return Checks(given, named)
+        return Checks(stage.given, named)
 
     real: dict[str, Any] = {"checks": checks}
-    if "dhlab" in parts:
-        real |= {"deg": deg, "dh": DHRow, "DHRow": DHRow}
-    sys.meta_path[:0] = [Library(part, real, said) for part in parts]
+    if "dhlab" in stage.parts:
+        real |= {"deg": deg, "dh": DHRow, "DHRow": DHRow, **stage.tools}
+    sys.meta_path[:0] = [Library(part, real, said) for part in stage.parts]

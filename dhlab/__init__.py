@@ -24,6 +24,7 @@ from dhlab.kinematics.chain import Chain
 from dhlab.kinematics.dh import DHRow, deg, dh, link_transform
 from dhlab.kinematics.mechanism import Branch, Mechanism
 from dhlab.kinematics.transforms import inverse, rotx, roty, rotz, rp2t, transl
+from dhlab.scene.arrow import Arrow, arrow
 from dhlab.scene.block import Block, BlockComplex, block_complex, block_merge
 from dhlab.scene.blocks import (
     block,
@@ -96,6 +97,7 @@ ON_FIRST_USE = {
 }
 
 __all__ = [
+    "Arrow",
     "AttachError",
     "Block",
     "BlockComplex",
@@ -125,6 +127,7 @@ __all__ = [
     "angvec2r",
     "animate",
     "arc",
+    "arrow",
     "block",
     "block_complex",
     "block_merge",

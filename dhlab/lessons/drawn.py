@@ -15,6 +15,7 @@ from dhlab.scene.frame_look import frame_nodes
 from dhlab.scene.node import Node, Span, Style
 from dhlab.scene.placed import Placed
 from dhlab.shapes import Label, Lines, Mesh
+from dhlab.shapes.between import pose_along
 
 GHOST_OPACITY = 0.22
 ARC_RADIUS = 0.62
@@ -96,7 +97,7 @@ def _way(move: Turn | Slide, state: State, span: Span, path: str) -> dict[str, N
             shape=shapes.polyline(shaft), style=Style(color=color, line_width=WIDTH), span=span
         ),
         f"{path}.head": Node(
-            pose=_along(points[-1] - head * way / np.linalg.norm(way), way),
+            pose=read_only(pose_along(points[-1] - head * way / np.linalg.norm(way), way)),
             shape=shapes.cone(0.42 * head, head),
             style=Style(color=color, edges=False),
             span=headed,
@@ -170,16 +171,6 @@ def _shortened(points: NDArray[np.float64], by: float) -> NDArray[np.float64]:
     way = points[-1] - points[-2]
     tip = points[-1] - by * way / np.linalg.norm(way)
     return np.vstack([kept, tip]) if len(kept) else np.vstack([points[0], tip])
-
-
-def _along(at: NDArray[np.float64], way: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Pose at a point whose z axis looks along a way, shape (4, 4)."""
-    z = way / np.linalg.norm(way)
-    x = np.cross(z, np.eye(3)[np.argmin(np.abs(z))])
-    x /= np.linalg.norm(x)
-    pose = np.eye(4)
-    pose[:3] = np.column_stack([x, np.cross(z, x), z, at])
-    return read_only(pose)
 
 
 def _origin(at: NDArray[np.float64]) -> NDArray[np.float64]:

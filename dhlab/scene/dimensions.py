@@ -14,6 +14,7 @@ from dhlab.errors import InputError
 from dhlab.kinematics.chain import Chain
 from dhlab.scene.node import Color, Node, Style
 from dhlab.shapes import Label, Lines, Mesh
+from dhlab.shapes.between import pose_along
 
 PARAMETERS = ("alpha", "a", "d", "theta")
 COLORS: dict[str, Color] = {
@@ -162,7 +163,7 @@ def _drawing(
     tip = min(0.22 * size, 0.5 * length)
     way = points[-1] - points[-2]
     way = way / np.linalg.norm(way)
-    head = shapes.cone(0.35 * tip, tip).transformed(_along(points[-1] - tip * way, way))
+    head = shapes.cone(0.35 * tip, tip).transformed(pose_along(points[-1] - tip * way, way))
     return shapes.polyline(points), head, read_only(middle + aside)
 
 
@@ -175,9 +176,3 @@ def _pose(R: NDArray[np.float64], p: Any = (0.0, 0.0, 0.0)) -> NDArray[np.float6
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = R, p
     return T
-
-
-def _along(at: NDArray[np.float64], way: NDArray[np.float64]) -> NDArray[np.float64]:
-    x = np.cross(way, np.eye(3)[int(np.argmin(np.abs(way)))])
-    x /= np.linalg.norm(x)
-    return _pose(np.column_stack([x, np.cross(way, x), way]), at)

@@ -128,6 +128,11 @@ def fraction(value: Any, what: str, current: Any) -> float:
     return as_number(value, what, minimum=0.0, maximum=1.0)
 
 
+def number(value: Any, what: str, current: Any) -> float:
+    """Check a number."""
+    return as_number(value, what)
+
+
 def positive(value: Any, what: str, current: Any) -> float:
     """Check a number above 0."""
     return as_number(value, what, above=0.0)

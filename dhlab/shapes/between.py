@@ -36,7 +36,7 @@ def tube(p: ArrayLike, q: ArrayLike, radius: float, segments: int = SEGMENTS) ->
            [ 2. ,  0.5,  0.5]])
     """
     start, way = _way(p, q, "tube")
-    return cylinder(radius, _length(way), segments).transformed(_pose_along(start, way))
+    return cylinder(radius, _length(way), segments).transformed(pose_along(start, way))
 
 
 def beam(p: ArrayLike, q: ArrayLike, width: float) -> Mesh:
@@ -59,7 +59,7 @@ def beam(p: ArrayLike, q: ArrayLike, width: float) -> Mesh:
     """
     start, way = _way(p, q, "beam")
     side = as_number(width, "width of beam", above=0)
-    return cuboid(side, side, _length(way)).transformed(_pose_along(start, way))
+    return cuboid(side, side, _length(way)).transformed(pose_along(start, way))
 
 
 def arrow(length: float, radius: float, axis: ArrayLike = (0, 0, 1), segments: int = 16) -> Mesh:
@@ -89,7 +89,7 @@ def arrow(length: float, radius: float, axis: ArrayLike = (0, 0, 1), segments: i
     neck = max(tip - HEAD_LENGTH * r, tip / 2)
     profile = [(0, 0), (r, 0), (r, neck), (HEAD_RADIUS * r, neck), (0, tip)]
     start, way = _way((0, 0, 0), axis, "arrow")
-    return srevolution(profile, segments).transformed(_pose_along(start, way))
+    return srevolution(profile, segments).transformed(pose_along(start, way))
 
 
 def _way(p: ArrayLike, q: ArrayLike, what: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -104,8 +104,8 @@ def _length(way: NDArray[np.float64]) -> float:
     return float(np.linalg.norm(way))
 
 
-def _pose_along(origin: NDArray[np.float64], way: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Pose at an origin with its z axis along a way, and x or y level where it can be."""
+def pose_along(origin: NDArray[np.float64], way: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Pose at an origin with its z axis along a way and x level, shape (4, 4)."""
     z = way / np.linalg.norm(way)
     side = np.eye(3)[2] if abs(z[2]) < 1 - 1e-9 else np.eye(3)[1]
     x = np.cross(side, z)

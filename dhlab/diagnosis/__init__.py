@@ -30,11 +30,13 @@ configuration), `TrajectoryTask` (a motion by a polynomial), `TableTask` (a tabl
 grasper, offset and letters a simple robot).
 """
 
+from dhlab.diagnosis.arrangement import ArrangementTask
 from dhlab.diagnosis.forward import ForwardTask
 from dhlab.diagnosis.link import LinkTask
 from dhlab.diagnosis.matrix import MatrixTask
 from dhlab.diagnosis.point import PointTask
 from dhlab.diagnosis.product import given, inverse_of, slide, turn
+from dhlab.diagnosis.robots import RobotTask
 from dhlab.diagnosis.tables import TableTask
 from dhlab.diagnosis.trajectory import TrajectoryTask
 from dhlab.diagnosis.triples import AnglesTask
@@ -42,11 +44,13 @@ from dhlab.diagnosis.verdict import Mistake, Task, Verdict
 
 __all__ = [
     "AnglesTask",
+    "ArrangementTask",
     "ForwardTask",
     "LinkTask",
     "MatrixTask",
     "Mistake",
     "PointTask",
+    "RobotTask",
     "TableTask",
     "Task",
     "TrajectoryTask",

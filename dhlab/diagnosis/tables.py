@@ -55,6 +55,16 @@ class TableTask:
         verdicts = [self._judge(value) for _, value in cases]
         return next((v for v in verdicts if not v.right), verdicts[0])
 
+    def matching(self, value: Any) -> Match | None:
+        """How a table that came moves as the mechanism does; None where it does not.
+
+        Raises
+        ------
+        Unreadable
+            If what came is no table.
+        """
+        return self._match(self.chain, read_chain(value, self.chain, self.zero_free))
+
     def _judge(self, value: Any) -> Verdict:
         try:
             came = read_chain(value, self.chain, self.zero_free)

@@ -20,14 +20,17 @@ the fewer the alternatives: three inputs without zeros and right angles tell mos
 - `matrix`: a matrix that is a product of turns, slides and given poses; `point`: what such a
   product is applied to; `triples`: the angles of a rotation
 - `trajectory`, `motion`: a cubic or a quintic from one configuration to another
-- `link`: the function of one row; `tables`: forward kinematics of a chain, and a table;
-  `chain_slips`: what goes wrong there; `gauge`: when two tables are the same mechanism
+- `link`: the function of one row; `forward`: the pose of a chain's tip; `table_model`,
+  `chain_slips`: a table in numbers, and what goes wrong in it
+- `tables`, `reading`, `table_search`: a table that came; `gauge`, `waiting`: when two tables are the
+  same mechanism; `robots`: one or several chains with their limits
+- `arrangement`: coordinate systems in a scene
 
 The tasks: `MatrixTask` (a rotation or a pose, plain or as a function), `PointTask` (a point or a
 direction in another frame), `AnglesTask` (three angles of a rotation), `LinkTask` (the pose of one
 row, as a function of alpha, a, d, theta), `ForwardTask` (the pose of the tip as a function of one
-configuration), `TrajectoryTask` (a motion by a polynomial), `TableTask` (a table; with base,
-grasper, offset and letters a simple robot).
+configuration), `TrajectoryTask` (a motion by a polynomial), `TableTask` (a table), `RobotTask` (a
+robot, as plain data), `ArrangementTask` (poses of coordinate systems by name).
 """
 
 from dhlab.diagnosis.arrangement import ArrangementTask

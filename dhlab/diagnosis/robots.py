@@ -1,7 +1,7 @@
 """The task of building a robot: one chain, or several that hang on each other."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -69,22 +69,21 @@ class RobotTask:
         if not isinstance(value, Mapping) or not value.keys() & {"rows", "components"}:
             return Verdict(False, "A robot is asked for: what does `robot(...)` give you?")
         try:
-            if isinstance(self.robot, Chain):
-                return self._simple(value)
-            return self._complex(value)
+            branches = self._branches()
+            if len(branches) == 1:
+                return self._simple(branches[0].chain, value)
+            return self._complex(branches, value)
         except Unreadable as refusal:
             return Verdict(False, str(refusal))
 
-    def _simple(self, value: Mapping[str, Any]) -> Verdict:
+    def _simple(self, chain: Chain, value: Mapping[str, Any]) -> Verdict:
         parts = value.get("components")
         if isinstance(parts, list | tuple) and len(parts) > 1:
             return Verdict(False, "One chain is asked for; this robot has several.")
-        chain = self.robot if isinstance(self.robot, Chain) else self.robot.branches[0].chain
         verdict, _ = self._part(chain, value, self._q_of(0, chain.n))
         return verdict
 
-    def _complex(self, value: Mapping[str, Any]) -> Verdict:
-        branches = self._branches()
+    def _complex(self, branches: Sequence[Branch], value: Mapping[str, Any]) -> Verdict:
         parts = _parts(value, [_last(b.name) for b in branches])
         choices, found, start = [], [], 0
         for branch, part in zip(branches, parts, strict=True):
@@ -92,8 +91,7 @@ class RobotTask:
             verdict, match = self._part(branch.chain, part, self._q_of(start, n))
             start += n
             if not verdict.right:
-                said = Verdict(False, f"{_last(branch.name)}: {verdict.seen}")
-                return Verdict(False, said.seen, verdict.mistakes, verdict.either)
+                return replace(verdict, seen=f"{_last(branch.name)}: {verdict.seen}")
             choices.append(verdict.seen)
             found.append(match)
         hung = self._hung(value, parts, found)
@@ -200,7 +198,7 @@ def _limits_off(chain: Chain, value: Any, match: Match) -> Verdict | None:
         ),
         (
             mistake(
-                "limits-sign", "the limits are those of joints counted the other way", question
+                "limits-sign", "the limits are those of joints that count the other way", question
             ),
             -wanted[:, ::-1],
         ),

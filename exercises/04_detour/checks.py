@@ -1,0 +1,91 @@
+"""Checks of exercise 4: a pose that nobody measured, by a detour."""
+
+import numpy as np
+
+from dhlab import cone, csys, cuboid, deg, inverse, rotx, rotz, rp2t
+from dhlab.diagnosis import MatrixTask, inverse_of
+from dhlab.diagnosis import given as known
+from dhlab.grading import Question
+
+
+def numbers(rng):
+    """Three measured poses: table and hand in the robot's base, part on the table."""
+
+    def off(*middle):
+        return (np.array(middle) + rng.integers(-2, 3, 3) * 0.05).round(2)
+
+    turns = rng.integers(2, 8, 3) * 10
+    table = rp2t(rotz(turns[0] * deg), off(0.8, 0.3, 0.2))
+    part = rp2t(rotz(-turns[1] * deg), off(0.15, -0.1, 0.15))
+    hand = rp2t(rotz(turns[2] * deg) @ rotx(150 * deg), off(0.4, -0.3, 0.9))
+    return {"T_RT": table.tolist(), "T_TP": part.tolist(), "T_RH": hand.tolist()}
+
+
+def questions(given):
+    """The questions, for a student's poses."""
+    T_RT, T_TP, T_RH = (known(name, given[name]) for name in ("T_RT", "T_TP", "T_RH"))
+    return [
+        Question(
+            "T_RP",
+            MatrixTask(T_RT, T_TP),
+            points=1,
+            hint="The names next to each other must agree: RT, then TP.",
+        ),
+        Question(
+            "T_HP",
+            MatrixTask(inverse_of(T_RH), T_RT, T_TP),
+            points=2,
+            hint="From the hand to the part by way of the robot's base: one pose is the wrong way.",
+        ),
+        Question(
+            "camera_pose",
+            MatrixTask(
+                known("T_RP", lambda T_RP, T_CP: T_RP),
+                inverse_of(known("T_CP", lambda T_RP, T_CP: T_CP)),
+            ),
+            points=3,
+            examples=[(pose(1), pose(2)), (pose(3), pose(4))],
+            inputs=lambda rng: [(any_pose(rng), any_pose(rng)) for _ in range(3)],
+            hint="RP and CP share their last letter. Which of them do you turn round?",
+        ),
+    ]
+
+
+def pose(seed):
+    """A pose to try with, always the same."""
+    return any_pose(np.random.default_rng(seed))
+
+
+def any_pose(rng):
+    """Any pose."""
+    a, b, c = rng.uniform(-3, 3, 3)
+    return rp2t(rotz(a) @ rotx(b) @ rotz(c), rng.uniform(-1, 1, 3).round(3))
+
+
+def pictures(given):
+    """A robot's base, a table with a part on it, a hand above."""
+    T_RT, T_TP, T_RH = (np.array(given[name]) for name in ("T_RT", "T_TP", "T_RH"))
+    T_RP = T_RT @ T_TP
+    foot = cuboid(0.25, 0.25, 0.1, name="foot", color="#9aa5b1")
+    table = cuboid(0.7, 0.5, 0.04, name="table", color="#d8c3a5", opacity=0.7)
+    table.move(T_RT @ rp2t(np.eye(3), (0.15, -0.05, -0.04)))
+    part = cuboid(0.12, 0.08, 0.15, name="part", color="#8fb7d9", opacity=0.7)
+    part.move(T_RP @ rp2t(np.eye(3), (0, 0, -0.15)))
+    hand = cone(0.05, 0.12, name="hand", color="#9aa5b1", opacity=0.8)
+    hand.move(T_RH @ rp2t(np.eye(3), (0, 0, -0.06)))
+    scene = [foot, table, part, hand]
+    frames = {"R": np.eye(4), "T": T_RT, "P": T_RP, "H": T_RH}
+    eye = inverse(pose(2))
+    return {
+        "cell": [*scene, *(csys(T, name=n, size=0.28) for n, T in frames.items())],
+        "pale cell": [
+            *scene,
+            csys(name="R", size=0.28),
+            csys(T_RH, name="H", size=0.28, opacity=0.4),
+        ],
+        "camera": [
+            csys(name="P", size=0.4),
+            csys(eye, name="C", size=0.4, opacity=0.35),
+            csys(inverse(pose(1)), name="R", size=0.4),
+        ],
+    }

@@ -6,6 +6,7 @@ import nbformat
 import pytest
 
 from dhlab.grading.build import notebook_path, same
+from dhlab.grading.mark import mark_cells
 from dhlab.grading.proof import (
     ENOUGH,
     Source,
@@ -15,6 +16,7 @@ from dhlab.grading.proof import (
     wrong_is_explained,
 )
 from dhlab.grading.source import notebook_text
+from dhlab.grading.trial import check_of, for_student, run_cells
 
 ROOT = Path(__file__).parents[1]
 SOURCES = {path.parent.name: path.parent for path in sorted(ROOT.glob("exercises/*/exercise.py"))}
@@ -61,3 +63,25 @@ def test_typical_wrong_answers_get_no_points_and_the_diagnosis_meant_for_them(so
     for wrong in source.wrong:
         for student in source.students[-2:]:
             wrong_is_explained(source, wrong, student)
+
+
+@for_each()
+def test_when_marked_the_blank_notebook_gets_nothing_and_the_answers_everything(source):
+    def marked(cells):
+        code = [cell.source for cell in for_student(cells, "Ada Lovelace") if cell.kind == "code"]
+        return mark_cells(
+            source.exercise, "Ada Lovelace", code, seed=1, course="dhlab", sandbox="none"
+        )
+
+    blank, solved = marked(source.released), marked(source.solved)
+    assert (blank.points, blank.status, blank.notes) == (0, "graded", ())
+    assert {judged.reason for judged in blank.questions} == {"stub"}
+    assert (solved.points, solved.status, solved.reason) == (solved.out_of, "graded", "")
+
+
+@for_each()
+def test_the_points_of_the_title_are_those_of_the_questions(source):
+    text = "\n".join(cell.source for cell in source.released)
+    questions = check_of(run_cells(source.released), "").questions
+    assert f"**Points.** {sum(q.points for q in questions):g}." in text
+    assert all(question.hint for question in questions)

@@ -180,8 +180,9 @@ def _bare(room: Room) -> list[str]:
 def _bwrap(limits: Limits, room: Room) -> list[str]:
     """Return the command of a sandbox: Python and packages to read, a little memory to write."""
     boot = f"{MOUNTED}/{INSIDE.relative_to(PACKAGE)}/boot.py"
+    bwrap = shutil.which("bwrap") or "bwrap"
     return [
-        *("bwrap", "--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts"),
+        *(bwrap, "--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts"),
         *("--unshare-cgroup-try", "--new-session", "--die-with-parent", "--hostname", "sandbox"),
         *("--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID") * (os.getuid() == 0),
         *("--size", str(limits.scratch), "--perms", "1777", "--tmpfs", "/tmp"),

@@ -63,7 +63,8 @@ def _by_a_cell(frame: FrameType | None) -> bool:
     for name in _files(frame):
         if name.startswith(CELL):
             return True
-        if not name.startswith((library, "<frozen")) or "site-packages" in name:
+        is_import = name.startswith("<frozen importlib")
+        if is_import or "site-packages" in name or not name.startswith((library, "<frozen")):
             return False
     return False
 

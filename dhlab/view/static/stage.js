@@ -108,6 +108,7 @@ export class Stage {
     const center = this.#box.isEmpty() ? new THREE.Vector3() : this.#box.getCenter(new THREE.Vector3());
     const radius = this.#box.isEmpty() ? 1 : 0.5 * this.#box.getSize(new THREE.Vector3()).length();
     this.camera.clip(center, Math.max(radius, 1e-3), this.surroundings.ground.radius);
+    this.tree.spread(this.viewer.camera);
     this.viewer.renderer.shadowMap.needsUpdate = this.#stale.shadows;
     this.#stale.shadows = false;
     this.viewer.render();

@@ -190,8 +190,7 @@ export class Stage {
     this.element.setAttribute("aria-label", "Scene in three dimensions");
     this.element.setAttribute("data-lm-suppress-shortcuts", "true");
     this.element.style.height = `${height}px`;
-    const style = document.createElement("style");
-    style.textContent = STYLE;
+    const style = Object.assign(document.createElement("style"), { textContent: STYLE });
     this.pane = document.createElement("div");
     this.pane.className = "dhlab-pane";
     this.caption = document.createElement("div");

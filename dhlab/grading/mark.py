@@ -1,13 +1,14 @@
 """Marking one submission: its cells run in a sandbox, its answers are judged here, afterwards."""
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 
 from dhlab.grading.asked import Ask
+from dhlab.grading.cases import recorded
 from dhlab.grading.exercise import Exercise, seed_of
 from dhlab.grading.judge import Judged, judge
 from dhlab.grading.question import Question
@@ -47,6 +48,8 @@ class Marked:
         What the text of the cells imports: "numpy", "dhlab.View".
     seed : int
         From which the further cases were drawn.
+    cases : mapping of str to list of dict
+        For each question what was asked and what came; never for a student's eyes.
     """
 
     student: str
@@ -60,6 +63,7 @@ class Marked:
     seconds: float
     imports: tuple[str, ...]
     seed: int
+    cases: Mapping[str, Sequence[Mapping[str, Any]]] = field(default_factory=dict, repr=False)
 
 
 def mark_cells(
@@ -119,6 +123,7 @@ def mark_cells(
         seconds=run.seconds,
         imports=imports_of(cells),
         seed=seed,
+        cases={ask.name: recorded(ask, run.replies[ask.name]) for ask in asks},
     )
 
 

@@ -8,6 +8,7 @@ from importlib.metadata import PackageNotFoundError, version
 from dhlab.cli.commands import Commands
 from dhlab.cli.exercise import add_exercise
 from dhlab.cli.export import add_export
+from dhlab.cli.grade import add_grade
 from dhlab.cli.lab import add_lab
 from dhlab.errors import DhlabError
 
@@ -21,10 +22,11 @@ examples:
   dhlab export puma --lesson -o puma.html   write the lesson of its table, step by step
   dhlab export order_matters -o order.html   write a lesson of the course
   dhlab exercise build exercises/      prove exercises and make their notebooks
+  dhlab grade exercises/01_rotation_matrices submissions/ --out results/   mark a class
   dhlab COMMAND --help                 all about one command\
 """
 
-COMMANDS: tuple[Callable[[Commands], None], ...] = (add_lab, add_export, add_exercise)
+COMMANDS: tuple[Callable[[Commands], None], ...] = (add_lab, add_export, add_exercise, add_grade)
 """Each adds one command to the parser."""
 
 

@@ -19,6 +19,12 @@ SENTENCES = {
     "ended": "`{name}` ended the whole program: is there an exit in it?",
 }
 
+HANDLES = {
+    "robot": "a robot",
+    "csys": "a coordinate system",
+    "scene": "a view or a list of handles",
+}
+
 
 @dataclass(frozen=True)
 class Judged:
@@ -73,7 +79,7 @@ def judge(question: Question, cases: Sequence[tuple[tuple[Any, ...], Any]]) -> J
     """
     nothing = next((value for _, value in cases if isinstance(value, NoValue)), None)
     if nothing is not None:
-        return _zero(question, nothing.reason, _without_value(question, nothing, len(cases)))
+        return _zero(question, nothing.reason, _without_value(question, nothing))
     try:
         verdict = question.task.judge(cases)
     except Exception as error:
@@ -91,10 +97,11 @@ def _zero(question: Question, reason: str, text: str, mistakes: tuple[str, ...] 
     return Judged(question.name, 0, question.points, False, reason, text, mistakes)
 
 
-def _without_value(question: Question, nothing: NoValue, cases: int) -> str:
-    head = SENTENCES.get(nothing.reason, "There is no value of `{name}`.").format(
-        name=question.name
-    )
+def _without_value(question: Question, nothing: NoValue) -> str:
+    head = SENTENCES.get(nothing.reason, "There is no value of `{name}`.")
+    if nothing.reason == "not numbers" and question.kind in HANDLES:
+        head = f"`{{name}}` cannot be read: {HANDLES[question.kind]} is asked for."
+    head = head.format(name=question.name)
     if nothing.reason == "stub":
         return f"{head} {question.hint}".rstrip()
     return f"{head} ({nothing.text})" if nothing.text else head

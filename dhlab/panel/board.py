@@ -123,6 +123,7 @@ class Board:
             token=token,
             sliders=[slider.model_id for slider in self.sliders],
             joints=[row for group in self.groups for row in group.joints()],
+            robots=[group.told() for group in self.groups],
             clocks=len(self.sliders) * [""],
             folds=[[g.title.model_id, g.rows.layout.model_id] for g in self.groups],
         )

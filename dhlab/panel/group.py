@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from math import isfinite
 from typing import Any
 
 import ipywidgets
@@ -68,6 +69,16 @@ class Group:
         for key, offset, r in zip(keys, offsets, self.readings, strict=True):
             yield [key, r.shown(1.0), offset]
 
+    def told(self) -> dict[str, Any]:
+        """Name, colour and joints, as plain data: `dhlab.panel.saved` makes sliders of them."""
+        keys, chain = self.component.keys, self.chain
+        numbers = zip(chain.offset.tolist(), chain.home.tolist(), strict=True)
+        joints = [
+            [key, r.kind, offset, home, [e if isfinite(e) else None for e in r.limits], r.span]
+            for key, r, (offset, home) in zip(keys, self.readings, numbers, strict=True)
+        ]
+        return {"name": self.name, "color": _hex(self.color), "joints": joints}
+
 
 def make_group(component: Component, token: str, first: int, *, folded: bool = False) -> Group:
     """Make the widgets of one component.
@@ -86,7 +97,7 @@ def make_group(component: Component, token: str, first: int, *, folded: bool = F
     Group
     """
     readings = component_readings(component)
-    color = "#" + "".join(f"{round(255 * c):02x}" for c in component.color)
+    color = _hex(component.color)
     sliders = _sliders(component, readings, color, f"dhlab-joint-{token}-{{}}", first)
     notes = (_note(i, r) for i, r in enumerate(readings, start=1) if r.kind == "p")
     rows = ipywidgets.VBox(
@@ -137,6 +148,10 @@ def _note(number: int, r: Reading) -> ipywidgets.Label | None:
     lower, upper = r.ends(r.span)
     text = f"{joint_label(r.kind, number)} has no limits: its slider goes from {lower} to {upper}"
     return ipywidgets.Label(f"{text} {r.unit}", _dom_classes=("dhlab-note",))
+
+
+def _hex(color: Color) -> str:
+    return "#" + "".join(f"{round(255 * part):02x}" for part in color)
 
 
 def _folding(layout: ipywidgets.Layout) -> Callable[[Any], None]:

@@ -23,6 +23,8 @@ class Link(anywidget.AnyWidget):
     values : bytes
         What the page is to show: number of the message, number of the last `drag` that is
         answered, then the value of each slider in its own unit, as float64.
+    robots : list of dict
+        What the sliders are of, for a page without a kernel that is made of the saved notebook.
     clocks : list of str
         For each slider the clock of the planned motion that it is in, or nothing.
     drag : list
@@ -37,6 +39,7 @@ class Link(anywidget.AnyWidget):
     token = traitlets.Unicode().tag(sync=True)
     sliders = traitlets.List(traitlets.Unicode()).tag(sync=True)
     joints: traitlets.List[Any] = traitlets.List().tag(sync=True)
+    robots: traitlets.List[Any] = traitlets.List().tag(sync=True)
     folds: traitlets.List[Any] = traitlets.List().tag(sync=True)
     values = traitlets.Bytes().tag(sync=True)
     clocks = traitlets.List(traitlets.Unicode()).tag(sync=True)

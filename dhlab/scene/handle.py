@@ -46,7 +46,7 @@ class Handle:
 
     def __init__(self, name: str | None = None) -> None:
         self._name = None if name is None else as_name(name, f"name of a {self.kind}")
-        self._observers: weakref.WeakSet[Observer] | None = None
+        self._observers: weakref.WeakKeyDictionary[Observer, None] | None = None
         self._parent: Handle | None = None
         self._carried: tuple[Handle, ...] | None = None
         self._marks: dict[str, Node] = {}
@@ -120,15 +120,18 @@ class Handle:
         return (self, *self._carried)
 
     def watch(self, observer: Observer) -> None:
-        """Tell `observer` of every change from now on; it is held weakly."""
+        """Tell `observer` of every change from now on; it is held weakly.
+
+        Who watches first hears first, so that a view made before its panel moves before it.
+        """
         if self._observers is None:
-            self._observers = weakref.WeakSet()
-        self._observers.add(observer)
+            self._observers = weakref.WeakKeyDictionary()
+        self._observers.setdefault(observer)
 
     def unwatch(self, observer: Observer) -> None:
         """Tell `observer` no more; safe if it did not watch."""
         if self._observers is not None:
-            self._observers.discard(observer)
+            self._observers.pop(observer, None)
 
     def describe(self, name: str | None = None) -> dict[str, Node]:
         """Say what is to be drawn.

@@ -106,17 +106,17 @@ def page(
     about = {"name": title, "options": dict(options), "robots": robots, "lesson": lesson}
     meshcat, start = assets.meshcat(), assets.bundle("unpack")
     viewer = f'(() => {{\n"use strict";\n{assets.bundle("standalone")}}})();\n'
-    return Template(_static("standalone.html")).substitute(
+    return Template(static("standalone.html")).substitute(
         policy=POLICY.format(" ".join(map(_hash, (start, meshcat, viewer)))),
         title=escape(title),
-        style=_static("standalone.css") + (_static("lesson.css") if lesson else ""),
+        style=static("standalone.css") + static("lesson.css" if lesson else "sliders.css"),
         body=' class="dhlab-lesson"' if lesson else "",
         hidden="" if robots or lesson else " hidden",
         heading="" if lesson else f"<h1>{escape(title)}</h1>",
-        about=_json(about),
-        scene=_packed(snapshot),
-        viewer=_packed(viewer.encode()),
-        meshcat=_packed(meshcat.encode()),
+        about=safe_json(about),
+        scene=packed(snapshot),
+        viewer=packed(viewer.encode()),
+        meshcat=packed(meshcat.encode()),
         start=start,
     )
 
@@ -133,33 +133,53 @@ def _robot(component: Component) -> dict[str, Any]:
 
 
 def _joints(component: Component) -> Iterator[dict[str, Any]]:
-    """Describe the sliders of one component, numbers in [rad or m] where nothing else is said.
-
-    On the page a joint's variable has the offset in it; a slider shows ``factor`` times the
-    variable without it.
-    """
     chain = component.chain
     numbers = zip(chain.offset.tolist(), chain.home.tolist(), component.q.tolist(), strict=True)
     joints = zip(component.keys, component_readings(component), numbers, strict=True)
     for i, (key, reading, (offset, home, value)) in enumerate(joints, start=1):
-        lower, upper = (end if isfinite(end) else None for end in reading.limits)
-        label = joint_label(reading.kind, i)
-        yield {
-            "key": key,
-            "label": label,
-            "kind": reading.kind,
-            "lower": lower,
-            "upper": upper,
-            "span": reading.span,
-            "ends": reading.ends(),
-            "note": None if reading.bounded else _note(label, reading),
-            "offset": offset,
-            "home": home,
-            "value": value,
-            "unit": reading.unit,
-            "factor": reading.shown(1.0),
-            "decimals": reading.decimals,
-        }
+        yield slider(i, key, reading, offset, home, value)
+
+
+def slider(
+    number: int, key: str, reading: Reading, offset: float, home: float, value: float
+) -> dict[str, Any]:
+    """Describe the slider of one joint, numbers in [rad or m] where nothing else is said.
+
+    On the page a joint's variable has the offset in it; a slider shows ``factor`` times the
+    variable without it.
+
+    Parameters
+    ----------
+    number : int
+        Of the joint in its component, from 1.
+    key : str
+        Of the joint in the page.
+    reading : Reading
+    offset, home, value : float [rad or m]
+
+    Returns
+    -------
+    slider : dict
+        What ``static/sliders.js`` reads.
+    """
+    lower, upper = (end if isfinite(end) else None for end in reading.limits)
+    label = joint_label(reading.kind, number)
+    return {
+        "key": key,
+        "label": label,
+        "kind": reading.kind,
+        "lower": lower,
+        "upper": upper,
+        "span": reading.span,
+        "ends": reading.ends(),
+        "note": None if reading.bounded else _note(label, reading),
+        "offset": offset,
+        "home": home,
+        "value": value,
+        "unit": reading.unit,
+        "factor": reading.shown(1.0),
+        "decimals": reading.decimals,
+    }
 
 
 def _note(label: str, reading: Reading) -> str:
@@ -167,17 +187,19 @@ def _note(label: str, reading: Reading) -> str:
     return f"{label} has no limits: its slider goes from {lower} to {upper} {reading.unit}"
 
 
-def _static(name: str) -> str:
+def static(name: str) -> str:
+    """Return a file of the page's own."""
     return (files("dhlab.view") / "static" / name).read_text(encoding="utf-8")
 
 
-def _json(value: Any) -> str:
+def safe_json(value: Any) -> str:
     """Write JSON that holds no letter which HTML could take for its own."""
     text = json.dumps(value, allow_nan=False, separators=(",", ":"))
     return text.translate({ord(letter): f"\\u{ord(letter):04x}" for letter in "<>&"})
 
 
-def _packed(content: bytes) -> str:
+def packed(content: bytes) -> str:
+    """Return bytes deflated, as letters that a page can hold anywhere."""
     return b64encode(compress(content, 9)).decode("ascii")
 
 

@@ -3,11 +3,15 @@
 A cell that runs again replaces its outputs. ipywidgets keeps every open widget in a registry of
 its own, so that a cell run fifty times would leave fifty of them; the kernel knows which cell runs
 and closes the ones that were replaced.
+
+A client that runs a notebook without a page, as ``nbconvert --execute`` does, keeps the state that
+it is told and no messages. It can be known by its requests, which name no cell.
 """
 
 import sys
 from functools import cache
 from typing import Any, Protocol
+from weakref import WeakSet
 
 
 class Shown(Protocol):
@@ -15,6 +19,13 @@ class Shown(Protocol):
 
     def close(self) -> None:
         """Close it: its last output has gone. It may be shown again later."""
+
+
+class Kept(Protocol):
+    """Something whose changes are messages, which not every client keeps."""
+
+    def keep(self) -> None:
+        """Tell its state as a whole, if that is news."""
 
 
 class Outputs:
@@ -31,7 +42,8 @@ class Outputs:
     def __init__(self, shell: Any) -> None:
         self._shell = shell
         self._runs: dict[Shown, dict[str, str]] = {}
-        shell.events.register("post_run_cell", self._close_replaced)
+        self._kept: WeakSet[Kept] = WeakSet()
+        shell.events.register("post_run_cell", self._end_cell)
 
     def note(self, shown: Shown) -> None:
         """Note that the running cell shows something.
@@ -43,16 +55,35 @@ class Outputs:
         cell, run = self._present()
         self._runs.setdefault(shown, {})[cell] = run
 
+    def keep(self, kept: Kept) -> None:
+        """Let clients without a page keep the present state of something, for as long as it lives.
+
+        Parameters
+        ----------
+        kept : Kept
+        """
+        self._kept.add(kept)
+
     def _present(self) -> tuple[str, str]:
         """Return the cell that runs, by its id or else by its text, and which run of it this is."""
         parent = self._shell.get_parent() or {}
         header = parent.get("header") or {}
         if header.get("msg_type") != "execute_request":
             return "", ""
-        cell = (parent.get("metadata") or {}).get("cellId") or parent["content"]["code"]
+        cell = self._named() or parent["content"]["code"]
         return str(cell), str(header.get("msg_id"))
 
-    def _close_replaced(self, *_: Any) -> None:
+    def _named(self) -> Any:
+        """Return the id of the cell that runs, if the client gave one."""
+        return ((self._shell.get_parent() or {}).get("metadata") or {}).get("cellId")
+
+    def _end_cell(self, *_: Any) -> None:
+        self._close_replaced()
+        if not self._named():
+            for kept in list(self._kept):
+                kept.keep()
+
+    def _close_replaced(self) -> None:
         cell, run = self._present()
         for shown, runs in list(self._runs.items()):
             if runs.get(cell, run) != run:

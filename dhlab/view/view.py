@@ -115,6 +115,9 @@ class View:
             if self._shown is None or self._shown.widget.comm is None:
                 self._shown = WidgetBackend(Wire(self.nodes), name=self.name, **self._options)
                 self._backend = self._shown
+                shell = shell_with_kernel()
+                if shell is not None:
+                    outputs_of(shell).keep(self)
             return self._shown.widget
 
     @property
@@ -190,6 +193,16 @@ class View:
             batch = self._picture.changes()
             if batch and self._backend is not None:
                 self._backend.send(batch)
+
+    def keep(self) -> None:
+        """Tell a client that keeps state and no messages what is seen now; the kernel calls this.
+
+        ``nbconvert --execute`` is such a client: the saved notebook then shows the last state.
+        """
+        with CHANGES:
+            self.flush()
+            if self._shown is not None and self._shown.widget.comm is not None:
+                self._shown.widget.keep()
 
     def save_html(self, path: str | os.PathLike[str], title: str | None = None) -> Path:
         """Save what is seen as one HTML file, with sliders for the robots and their motions.

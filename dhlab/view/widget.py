@@ -59,6 +59,7 @@ class SceneWidget(anywidget.AnyWidget):
 
     def __init__(self, wire: Wire, library: Library, **options: Any) -> None:
         self._wire = wire
+        self._kept = -1
         self._is_new = True
         own_id = uuid4().hex
         super().__init__(
@@ -76,6 +77,12 @@ class SceneWidget(anywidget.AnyWidget):
         """Tell the page of a batch, in one message."""
         header, buffer = self._wire.batch(batch)
         self.send(header, [buffer])
+
+    def keep(self) -> None:
+        """Tell the scene as it is now as state, if it has changed since this was last called."""
+        if self._kept != self._wire.sequence:
+            self._kept = self._wire.sequence
+            self.send_state("scene")
 
     def get_state(
         self, key: str | Iterable[str] | None = None, drop_defaults: bool = False

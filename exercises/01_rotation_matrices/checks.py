@@ -3,7 +3,8 @@
 import numpy as np
 
 from dhlab import csys, deg, rotx, roty, rotz, rp2t
-from dhlab.diagnosis import MatrixTask, turn
+from dhlab.diagnosis import MatrixTask, Verdict, turn
+from dhlab.diagnosis import given as known
 from dhlab.grading import Question
 
 ORIGIN, BESIDE = (0, 0, 0), (1.8, 0.9, 0)
@@ -27,7 +28,6 @@ def numbers(rng):
 
 def questions(given):
     """The questions, for a student's picture."""
-    read = READ[given["picture"]]
     return [
         Question(
             "rot_z",
@@ -47,11 +47,24 @@ def questions(given):
         ),
         Question(
             "R_AB",
-            MatrixTask(*(turn(axis, angle * deg) for axis, angle in read), about="fixed", size=3),
+            Read(rotation(given)),
             points=2,
             hint="Each column is one axis of {B}, told in {A}. Begin with the red one.",
         ),
     ]
+
+
+class Read:
+    """A matrix read from a picture: of all mistakes, only those that a reader makes."""
+
+    def __init__(self, R):
+        self.task = MatrixTask(known("R_AB", R), size=3)
+
+    def judge(self, cases):
+        """Judge by what came."""
+        verdict = self.task.judge(cases)
+        read = [m for m in verdict.mistakes if m.key.startswith(("inverse", "left-handed"))]
+        return Verdict(verdict.right, verdict.seen, tuple(read) if len(read) == 1 else ())
 
 
 def angles(rng):
@@ -59,13 +72,17 @@ def angles(rng):
     return [(0.0,), (np.pi / 2,), (-np.pi,), *((angle,) for angle in rng.uniform(-3, 3, 3))]
 
 
+def rotation(given):
+    """Rotation in a student's picture."""
+    first, second = READ[given["picture"]]
+    return (TURNS[second[0]](second[1] * deg) @ TURNS[first[0]](first[1] * deg)).round()
+
+
 def pictures(given):
     """What is drawn beside the questions."""
-    first, second = READ[given["picture"]]
-    R = TURNS[second[0]](second[1] * deg) @ TURNS[first[0]](first[1] * deg)
     A = csys(name="A", opacity=0.35)
     return {
         "about z": [A, csys(rp2t(rotz(50 * deg), ORIGIN), name="B")],
         "about y": [A, csys(rp2t(roty(50 * deg), ORIGIN), name="B")],
-        "A and B": [csys(name="A"), csys(rp2t(R, BESIDE), name="B")],
+        "A and B": [csys(name="A"), csys(rp2t(rotation(given), BESIDE), name="B")],
     }

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from dhlab import cone, csys, cuboid, deg, inverse, rotx, rotz, rp2t
-from dhlab.diagnosis import MatrixTask, inverse_of
+from dhlab import cone, csys, cuboid, deg, rotx, rotz, rp2t
+from dhlab.diagnosis import ArrangementTask, MatrixTask, inverse_of
 from dhlab.diagnosis import given as known
 from dhlab.grading import Question
 
@@ -26,10 +26,14 @@ def questions(given):
     T_RT, T_TP, T_RH = (known(name, given[name]) for name in ("T_RT", "T_TP", "T_RH"))
     return [
         Question(
-            "T_RP",
-            MatrixTask(T_RT, T_TP),
-            points=1,
-            hint="The names next to each other must agree: RT, then TP.",
+            "drawing",
+            ArrangementTask(
+                {"R": np.eye(4), "T": given["T_RT"], "P": given["T_TP"], "H": given["T_RH"]},
+                parents={"P": "T"},
+            ),
+            points=2,
+            kind="scene",
+            hint="`show(csys(name='R'), ...)` with the four frames; which pose is not one in {R}?",
         ),
         Question(
             "T_HP",
@@ -75,17 +79,8 @@ def pictures(given):
     hand.move(T_RH @ rp2t(np.eye(3), (0, 0, -0.06)))
     scene = [foot, table, part, hand]
     frames = {"R": np.eye(4), "T": T_RT, "P": T_RP, "H": T_RH}
-    eye = inverse(pose(2))
     return {
         "cell": [*scene, *(csys(T, name=n, size=0.28) for n, T in frames.items())],
-        "pale cell": [
-            *scene,
-            csys(name="R", size=0.28),
-            csys(T_RH, name="H", size=0.28, opacity=0.4),
-        ],
-        "camera": [
-            csys(name="P", size=0.4),
-            csys(eye, name="C", size=0.4, opacity=0.35),
-            csys(inverse(pose(1)), name="R", size=0.4),
-        ],
+        "no frames": scene,
+        "hand": [*scene, csys(name="R", size=0.28), csys(T_RH, name="H", size=0.28)],
     }

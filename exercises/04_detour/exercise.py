@@ -4,7 +4,7 @@
 # **Goal.** Find a pose that nobody measured, by going over frames that were.
 #
 # **What to know before.** [Transforms](../../notebooks/04_transforms.ipynb), to its end.
-# **Time.** 25 minutes. **Points.** 6.
+# **Time.** 30 minutes. **Points.** 7.
 
 # %% imports
 import numpy as np
@@ -31,18 +31,30 @@ T_RT, T_TP, T_RH = (np.array(given[name]) for name in ("T_RT", "T_TP", "T_RH"))
 # %% cell-picture
 show(*check.picture("cell"), height=460)
 
-# %% part [markdown]
-# ## 1. Along the arrows (1 point)
+# %% drawing [markdown]
+# ## 1. Put the frames where they are (2 points)
 #
-# Where is the part for the robot? Give $T_{RP}$.
+# Draw the cell's frames yourself: a view `drawing` that shows four coordinate systems, named `R`,
+# `T`, `P` and `H`. {R} stands in the origin of the world. `csys(pose, name="T", size=0.3)` makes
+# one, `show(...)` of several makes the view.
 
-# %% part-answer
+# %% drawing-answer
 ### BEGIN SOLUTION
-T_RP = T_RT @ T_TP
+drawing = show(csys(name="R", size=0.3), csys(T_RT, name="T", size=0.3),
+               csys(T_RT @ T_TP, name="P", size=0.3), csys(T_RH, name="H", size=0.3))
 ### END SOLUTION
 
-# %% part-check
-check("T_RP", T_RP)
+# %% drawing-check
+check("drawing", drawing)
+
+# %% drawing-yours-words [markdown]
+# Your frames with the things that they belong to:
+
+# %% drawing-yours
+def with_things(drawing):
+    return show(*check.picture("no frames"), *drawing.handles, height=460)
+
+check.show(with_things, drawing)
 
 # %% hand [markdown]
 # ## 2. Against an arrow (2 points)
@@ -62,7 +74,7 @@ check("T_HP", T_HP)
 
 # %% hand-yours
 def yours(T_HP):
-    return show(*check.picture("pale cell"), csys(T_RH @ T_HP, name="yours", size=0.22), height=460)
+    return show(*check.picture("hand"), csys(T_RH @ T_HP, name="yours", size=0.25), height=460)
 
 check.show(yours, T_HP)
 

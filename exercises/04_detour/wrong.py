@@ -1,11 +1,22 @@
 # %% [markdown]
 # Typical wrong answers, and the diagnosis meant for each.
 
-# %% T_RP: reversed-order
-T_RP = T_TP @ T_RT
+# %% drawing: P is placed in the world by its pose in T
+drawing = show(csys(name="R"), csys(T_RT, name="T"), csys(T_TP, name="P"), csys(T_RH, name="H"))
 
-# %% T_RP: T_TP is left out
-T_RP = T_RT
+# %% drawing: wrong-side
+drawing = show(csys(name="R"), csys(T_RT, name="T"), csys(T_TP @ T_RT, name="P"),
+               csys(T_RH, name="H"))
+
+# %% drawing: not in the scene: H
+drawing = show(csys(name="R"), csys(T_RT, name="T"), csys(T_RT @ T_TP, name="P"))
+
+# %% drawing: inverse
+drawing = show(csys(name="R"), csys(T_RT, name="T"), csys(T_RT @ T_TP, name="P"),
+               csys(inverse(T_RH), name="H"))
+
+# %% drawing: a view or a list of handles is asked for
+drawing = T_RT @ T_TP
 
 # %% T_HP: T_RH is used as it is, where its inverse is needed
 T_HP = T_RH @ T_RT @ T_TP

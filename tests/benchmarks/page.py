@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from playwright.sync_api import CDPSession, Page, sync_playwright
+from playwright.sync_api import Browser, CDPSession, Page, sync_playwright
 
 from tests.browser.conftest import ARGUMENTS, BROWSERS
 from tests.browser.lab import Lab, Notebook
@@ -19,16 +19,23 @@ HERE = Path(__file__).parent
 @contextmanager
 def open_lab() -> Iterator["Desk"]:
     """Start a server and a browser; they end with the context."""
-    browser = os.environ.get("DHLAB_BROWSER") or next(filter(None, map(shutil.which, BROWSERS)))
     with (
         TemporaryDirectory(ignore_cleanup_errors=True) as folder,
-        sync_playwright() as playwright,
+        open_browser() as browser,
         serving_notebooks(Path(folder), Path(folder) / "notebooks", paths=[HERE]) as lab,
     ):
-        chromium = playwright.chromium.launch(executable_path=browser, args=[*ARGUMENTS])
-        yield Desk(lab, chromium)
-        chromium.close()
+        yield Desk(lab, browser)
         lab.stop_kernels()
+
+
+@contextmanager
+def open_browser() -> Iterator[Browser]:
+    """Start a browser; it ends with the context."""
+    path = os.environ.get("DHLAB_BROWSER") or next(filter(None, map(shutil.which, BROWSERS)))
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=path, args=[*ARGUMENTS])
+        yield browser
+        browser.close()
 
 
 class Desk:
@@ -40,13 +47,13 @@ class Desk:
     browser : Browser
     """
 
-    def __init__(self, lab: Lab, browser: object) -> None:
+    def __init__(self, lab: Lab, browser: Browser) -> None:
         self._lab = lab
-        self._browser = browser
+        self.browser = browser
 
-    def open(self, *cells: str) -> Notebook:
-        """Open a new notebook with these cells in a page of its own, with a kernel of its own."""
-        page = self._browser.new_page(viewport={"width": 1280, "height": 1200})
+    def open(self, *cells: str, page: Page | None = None) -> Notebook:
+        """Open a new notebook with these cells, with a kernel of its own, in a new page or this."""
+        page = page or self.browser.new_page(viewport={"width": 1280, "height": 1200})
         return Notebook(self._lab, page, self._lab.write(*cells))
 
 

@@ -45,6 +45,13 @@ class Row(NamedTuple):
         return {"<=": figure <= float(bound), ">=": figure >= float(bound)}[relation]
 
 
+class Skipped(NamedTuple):
+    """What could not be measured here, and why."""
+
+    what: str
+    reason: str
+
+
 def in_turns(
     functions: Sequence[Callable[[], object]],
     rounds: int = 7,

@@ -74,6 +74,25 @@ def test_who_watches_no_more_hears_no_more():
     assert ear.heard == []
 
 
+def test_who_watches_first_hears_first():
+    b, order = cube(1), []
+
+    class Named:
+        def __init__(self, name):
+            self.name = name
+
+        def handle_changed(self, handle):
+            order.append(self.name)
+
+    ears = [Named(name) for name in range(20)]
+    for ear in ears:
+        b.watch(ear)
+    b.unwatch(ears[3])
+    b.watch(ears[7])
+    b.pose = (1, 2, 3)
+    assert order == [name for name in range(20) if name != 3]
+
+
 def test_a_handle_does_not_keep_its_watchers_alive():
     b = cube(1)
     b.watch(Listener())

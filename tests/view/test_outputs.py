@@ -1,5 +1,7 @@
 """Cells that run again close what they showed before."""
 
+import gc
+
 import pytest
 
 from dhlab.view.outputs import Outputs
@@ -108,3 +110,33 @@ def test_a_closed_thing_may_be_shown_again(shell, outputs):
     shell.run([(outputs, thing)], "id-1")
     shell.run([(outputs, thing)], "id-1")
     assert thing.closed == 1
+
+
+class Kept:
+    def __init__(self):
+        self.told = 0
+
+    def keep(self):
+        self.told += 1
+
+
+def test_a_client_that_names_no_cell_is_told_the_whole_at_the_end_of_each(shell, outputs):
+    kept = Kept()
+    outputs.keep(kept)
+    shell.run([])
+    shell.run([])
+    assert kept.told == 2
+
+
+def test_a_page_that_names_its_cells_is_not(shell, outputs):
+    kept = Kept()
+    outputs.keep(kept)
+    shell.run([], "id-1")
+    assert kept.told == 0
+
+
+def test_what_is_kept_may_go(shell, outputs):
+    outputs.keep(Kept())
+    gc.collect()
+    shell.run([])
+    assert not list(outputs._kept)

@@ -201,3 +201,22 @@ def test_the_loader_of_each_view_is_small(comms, box):
     view, _ = open_view(comms, box)
     assert len(view.widget._esm) < 8000
     assert assets.digest() == view.widget.library_digest
+
+
+def test_a_client_that_keeps_no_messages_is_told_the_scene_as_state_when_it_has_changed(comms, box):
+    view, comm = open_view(comms, box)
+
+    def told():
+        view.keep()
+        states = [(data, buffers) for data, buffers in comm.sent if data["method"] == "update"]
+        comm.sent.clear()
+        return [scene_of(comm, state) for state in states]
+
+    assert [header["play"] for header in told()] == [[]]
+    assert told() == []
+    box.change(has_lid=False)
+    (header,) = told()
+    assert paths_of(header) == ["crate", "crate/body"]
+    view.close()
+    box.shift(1)
+    view.keep()

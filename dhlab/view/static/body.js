@@ -121,6 +121,10 @@ class LabelBody {
     this.object.add(this.#label.sprite);
   }
 
+  get sprite() {
+    return this.#label.sprite;
+  }
+
   resize() {
     this.#label.resize(this.#workshop.unit);
   }

@@ -4,6 +4,7 @@
  */
 import { keepListening } from "./listening.js";
 import { sharedPage } from "./page.js";
+import { evaluateUmd } from "./umd.js";
 
 const PATIENCE = 240;
 
@@ -29,13 +30,6 @@ async function load(model) {
   } finally {
     URL.revokeObjectURL(url);
   }
-}
-
-/** Run a UMD script so that it meets neither a `define` nor an `exports` of the page. */
-function evaluateUmd(source) {
-  const module = { exports: {} };
-  new Function("module", "exports", "define", source)(module, module.exports, undefined);
-  return module.exports;
 }
 
 /** Messages may come before the viewer is there; what is too much is made up for by a snapshot. */

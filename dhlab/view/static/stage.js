@@ -108,6 +108,7 @@ export class Stage {
     const center = this.#box.isEmpty() ? new THREE.Vector3() : this.#box.getCenter(new THREE.Vector3());
     const radius = this.#box.isEmpty() ? 1 : 0.5 * this.#box.getSize(new THREE.Vector3()).length();
     this.camera.clip(center, Math.max(radius, 1e-3), this.surroundings.ground.radius);
+    this.tree.spread(this.viewer.camera);
     this.viewer.renderer.shadowMap.needsUpdate = this.#stale.shadows;
     this.#stale.shadows = false;
     this.viewer.render();
@@ -189,8 +190,7 @@ export class Stage {
     this.element.setAttribute("aria-label", "Scene in three dimensions");
     this.element.setAttribute("data-lm-suppress-shortcuts", "true");
     this.element.style.height = `${height}px`;
-    const style = document.createElement("style");
-    style.textContent = STYLE;
+    const style = Object.assign(document.createElement("style"), { textContent: STYLE });
     this.pane = document.createElement("div");
     this.pane.className = "dhlab-pane";
     this.caption = document.createElement("div");

@@ -3,28 +3,10 @@
  * reach it over the page. `unpack.js` calls it.
  */
 import { Connection } from "./connection.js";
+import { File } from "./file.js";
 import { LessonBar } from "./lessonbar.js";
 import { sharedPage } from "./page.js";
 import { Sliders } from "./sliders.js";
-
-/** What stands in for a widget's model: it holds the scene, and nobody is at the other end. */
-class File {
-  #traits;
-
-  constructor(traits) {
-    this.#traits = traits;
-  }
-
-  get(trait) {
-    return this.#traits[trait];
-  }
-
-  send() {}
-
-  on() {}
-
-  off() {}
-}
 
 globalThis[Symbol.for("dhlab.open")] = ({ name, options, robots, lesson }, scene) => {
   const connection = new Connection(new File({ name, scene }));

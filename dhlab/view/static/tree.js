@@ -6,6 +6,7 @@ import { createBody } from "./body.js";
 import { THREE } from "./meshcat.js";
 import { shownPose, toMatrix4 } from "./motion.js";
 import { Pool } from "./pool.js";
+import { spread } from "./spread.js";
 
 /** In pictures higher than this [pixel] labels grow with the picture: for a lecture hall. */
 const LABELS_GROW_FROM = 600;
@@ -81,6 +82,15 @@ export class Tree {
     const grown = Math.min(Math.max(height / LABELS_GROW_FROM, 1), 2.4);
     this.workshop.unit = (grown * 2 * Math.tan((fov * Math.PI) / 360)) / height;
     for (const { body } of this.#entries.values()) body?.resize?.();
+  }
+
+  /** Labels do not stand on each other, as `camera` sees them. */
+  spread(camera) {
+    const labels = [...this.#entries.values()].map(({ body }) => body).filter((body) => body?.sprite);
+    if (labels.length < 2) return;
+    this.root.updateMatrixWorld();
+    camera.updateMatrixWorld();
+    spread(labels, camera);
   }
 
   /** Labels look different on another background. */

@@ -3,20 +3,18 @@
  * the viewer, and hands them the scene. A script that is run here must be named, by its hash, in
  * the page's own content security policy; nothing is fetched.
  */
+import { excuse, inflate } from "./blocks.js";
 import { sharedPage } from "./page.js";
-
-const OLD = "This page needs a browser of 2023 or later.";
 
 unpack().catch((error) => {
   console.error("dhlab: the page could not be opened.", error);
   const notice = document.getElementById("notice");
-  const why = `The picture cannot be drawn here: ${error.message}`;
-  notice.textContent = typeof DecompressionStream === "undefined" ? OLD : why;
+  notice.textContent = excuse(error);
   notice.hidden = false;
 });
 
 async function unpack() {
-  const [meshcat, viewer, scene] = await Promise.all(["meshcat", "viewer", "scene"].map(inflate));
+  const [meshcat, viewer, scene] = await Promise.all(["meshcat", "viewer", "scene"].map(block));
   const read = new TextDecoder();
   run(read.decode(meshcat));
   sharedPage().meshcat = globalThis.MeshCat;
@@ -25,12 +23,8 @@ async function unpack() {
   globalThis[Symbol.for("dhlab.open")](about, new DataView(scene));
 }
 
-/** Bytes of the block `id`: base64 of a zlib stream. */
-async function inflate(id) {
-  const packed = atob(document.getElementById(id).textContent);
-  const bytes = Uint8Array.from(packed, (letter) => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Response(stream).arrayBuffer();
+function block(id) {
+  return inflate(document.getElementById(id).textContent);
 }
 
 function run(source) {

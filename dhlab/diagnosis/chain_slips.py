@@ -138,7 +138,18 @@ def _table_units() -> Iterator[Slip[Table]]:
         ) -> None:
             rows[:, columns] *= factor
 
-        yield Slip(mistake(key, when, question), _edit(scaled))
+        m = mistake(key, when, question)
+        yield Slip(m, _edit(scaled))
+        if columns == (1, 2):
+            yield Slip(m, lambda t, factor=factor: _all_lengths(t, factor))  # type: ignore[misc]
+
+
+def _all_lengths(t: Table, factor: float) -> Table:
+    """Scale the lengths of the rows, and those of what stands before and behind them."""
+    rows, base, tool = t.rows.copy(), t.base.copy(), t.tool.copy()
+    for lengths in (rows[:, 1:3], base[:3, 3], tool[:3, 3]):
+        lengths *= factor
+    return replace(t, rows=rows, base=base, tool=tool)
 
 
 def _zeros(chain: Chain) -> Iterator[Slip[Table]]:

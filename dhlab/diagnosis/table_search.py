@@ -44,7 +44,9 @@ def explain_table(
         found.append((convention,))
     if found:
         return unique(found)
-    with_convention = [((convention, *e), wrong) for e, wrong in singles]
+    with_convention = [
+        ((convention, *e), wrong) for e, wrong in singles if not _undoes_convention(e[0].key)
+    ]
     pairs = [
         ((*first, second.mistake), second.change(wrong))
         for (first, wrong), k in zip(singles, range(len(slips)), strict=True)
@@ -55,6 +57,11 @@ def explain_table(
         *_fitting(pairs, wanted, came, matches),
     ]
     return unique(found)
+
+
+def _undoes_convention(key: str) -> bool:
+    """Whether a slip moves links between rows, as reading in the other convention does."""
+    return key == "convention" or key.startswith("shifted-")
 
 
 def joint_counts(wanted: Chain, came: Chain, matches: Matches) -> Iterator[tuple[str, int]]:
@@ -118,8 +125,18 @@ def _fitting(
     found: list[Explanation] = []
     for k in near.tolist():
         explanation, table = whole[k]
-        if matches(chain_of(table), came):
+        if _holds_displaced(table, came) and matches(chain_of(table), came):
             found.append(explanation)
             if len(found) > ALTERNATIVES:
                 break
     return found
+
+
+def _holds_displaced(table: Table, came: Chain) -> bool:
+    """Whether numbers that other columns push to where the variables stand are there."""
+    for row, home, kind in zip(table.rows, came.home, came.joints, strict=True):
+        place = 3 if kind == "r" else 2
+        number = row[table.columns[place]]
+        if table.columns[place] != place and abs(abs(home) - abs(number)) > NEAR:
+            return False
+    return True

@@ -137,3 +137,27 @@ def test_what_is_no_table_gets_a_sentence(table, sentence):
     verdict = TableTask(Chain([(0, 0.1, 0, 0)] * 2, "rr")).judge([((), table)])
     assert not verdict.right
     assert sentence in verdict.text
+
+
+def test_columns_are_not_called_exchanged_when_the_number_is_nowhere():
+    scara = Chain([(0, 0, 0.4, 0), (0, 0.3, 0, 0), (np.pi, 0.25, 0, 0)], "rrp")
+    task = TableTask(scara, zero_free=False)
+    no_height = [(0, 0, 0, 0), *scara.rows[1:]]
+    assert not task.judge([((), no_height)]).mistakes
+    exchanged = [(row.alpha, row.a, row.theta, row.d) for row in scara.rows]
+    assert "columns-0132" in [m.key for m in task.judge([((), exchanged)]).mistakes]
+
+
+def test_links_moved_twice_are_no_pair_of_mistakes():
+    arm = Chain([(0, 0, 0, 0), (-1.5, 0, 0, 0), (0, 0.4, 0.15, 0), (-1.5, 0.1, 0.36, 0)], "rrrr")
+    flat = arm.replace(3, d=0.0)
+    verdict = TableTask(arm, tool_free=True).judge([((), flat.rows)])
+    assert not verdict.right
+    assert not verdict.mistakes
+
+
+def test_all_lengths_in_millimetres_are_noticed_with_the_tool_among_them():
+    arm = Chain([(0, 0, 0.4, 0), (1.5, 0.3, 0, 0), (0, 0.25, 0.1, 0)], "rrr", grasper=(0.1, 0, 0))
+    rows = np.array(arm.rows) * [1, 1000, 1000, 1]
+    came = {"rows": rows, "grasper": [100.0, 0, 0]}
+    assert [m.key for m in TableTask(arm).judge([((), came)]).mistakes] == ["millimetres"]

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 from dhlab.errors import DhlabError
-from dhlab.grading.exercise import text_of
 
 BEGIN, END = "### BEGIN SOLUTION", "### END SOLUTION"
 MARKER = re.compile(r"^# %%(?!%)", re.MULTILINE)
@@ -29,8 +28,8 @@ class Cell:
     ----------
     kind : {'code', 'markdown'}
     source : str
-    file : str
-        Where it was read.
+    where : str
+        File and line where it begins.
     title : str
         Behind its ``# %%``; becomes the id of the notebook's cell.
     line : int
@@ -64,12 +63,13 @@ def read_cells(path: Path) -> list[Cell]:
     Raises
     ------
     DhlabError
-        There is no such file, or it is not in UTF-8; it does not begin with a cell; a code cell
-        is no Python.
+        There is no such file; it does not begin with a cell; a code cell is no Python.
     """
     import jupytext
 
-    text = text_of(path)
+    if not path.is_file():
+        raise DhlabError(f"{path.parent} is no exercise: there is no {path.name} in it")
+    text = path.read_text("utf-8")
     starts = [text.count("\n", 0, found.start()) + 2 for found in MARKER.finditer(text)]
     notebook = jupytext.reads(text, fmt="py:percent")
     if len(starts) != len(notebook.cells):
@@ -127,7 +127,8 @@ def answers(cell: Cell) -> list[tuple[int, str]]:
         (row, " ".join(rows[row].split()))
         for first, last in _regions(cell)
         for row in range(first + 1, last)
-        if re.search(r"[=(+*/@\[-]", rows[row]) and not rows[row].lstrip().startswith("#")
+        if re.search(r"\w.*[=(+*/@\[-]|[=(+*/@\[-].*\w", rows[row])
+        and not rows[row].lstrip().startswith("#")
     ]
 
 

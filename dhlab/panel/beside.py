@@ -45,7 +45,9 @@ class Beside:
         bundle: dict[str, Any] = {"text/plain": repr(self)}
         shell = get_ipython()
         if getattr(shell, "kernel", None) is not None:
-            shown = [p for p in (self._view, self._panel) if WIDGET in p._repr_mimebundle_()]
+            parts = [(p, p._repr_mimebundle_()) for p in (self._view, self._panel)]
+            shown = [part for part, its in parts if WIDGET in its]
+            bundle = {**parts[0][1], **bundle}
             self.close()
             self._box = ipywidgets.HBox(
                 tuple(part.widget for part in shown), _dom_classes=("dhlab-beside",)

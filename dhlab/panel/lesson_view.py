@@ -136,7 +136,8 @@ class LessonView:
         """What a cell that ends in this shows: picture and bar, or else a line of text."""
         bundle: dict[str, Any] = {"text/plain": repr(self)}
         shell = get_ipython()
-        if getattr(shell, "kernel", None) is None or WIDGET not in self.view._repr_mimebundle_():
+        picture = {} if shell is None else self.view._repr_mimebundle_()
+        if WIDGET not in picture:
             return bundle
         self.close()
         bar = LessonBar(self.lesson)
@@ -144,7 +145,7 @@ class LessonView:
         box = ipywidgets.HBox(hosts, _dom_classes=("dhlab-lesson",))
         box.layout.height = f"{self.height + 2}px"
         self._parts = [box.layout, box, *(part for h in hosts for part in (h.layout, h)), bar]
-        bundle[WIDGET] = box._repr_mimebundle_()[WIDGET]
+        bundle = {**picture, **bundle, WIDGET: box._repr_mimebundle_()[WIDGET]}
         outputs_of(shell).note(self)
         return bundle
 

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import Any
 
 from dhlab.scene.handle import Handle
-from dhlab.view.view import WIDGET, View
+from dhlab.view.view import View
 
 
 def show(*handles: Handle, **options: Any) -> View:
@@ -46,11 +46,7 @@ def handle_mimebundle(handle: Handle, include: Any = None, exclude: Any = None) 
     bundle : dict
         Representations by MIME type.
     """
-    bundle: dict[str, Any] = {"text/plain": repr(handle)}
-    shown = View(handle.name).add(handle)._repr_mimebundle_()
-    if WIDGET in shown:
-        bundle[WIDGET] = shown[WIDGET]
-    return bundle
+    return {**View(handle.name).add(handle)._repr_mimebundle_(), "text/plain": repr(handle)}
 
 
 def register(**others: tuple[str, Callable[..., dict[str, Any]]]) -> None:

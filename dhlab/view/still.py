@@ -121,8 +121,8 @@ def still(
         int(as_number(width, "width", minimum=16)),
         int(as_number(height, "height", minimum=16)),
     )
-    drawn, labels = _gather(nodes)
-    eye = _look(drawn.points.reshape(-1, 3), _direction(seen_from), size[0] / size[1])
+    drawn, labels = gather(nodes)
+    eye = look(drawn.points.reshape(-1, 3), _direction(seen_from), size[0] / size[1])
     figure = _paint(drawn, labels, eye, size, BACKGROUNDS[background])
     png = BytesIO()
     figure.savefig(png, format="png", dpi=DOTS)
@@ -141,7 +141,7 @@ def _direction(seen_from: str | ArrayLike) -> NDArray[np.float64]:
     return way
 
 
-def _look(points: NDArray[np.float64], way: NDArray[np.float64], aspect: float) -> Eye:
+def look(points: NDArray[np.float64], way: NDArray[np.float64], aspect: float) -> Eye:
     """Stand where all points are in the picture."""
     toward = way / np.linalg.norm(way)
     right = np.cross((0, 0, 1), toward)
@@ -155,7 +155,7 @@ def _look(points: NDArray[np.float64], way: NDArray[np.float64], aspect: float) 
     return Eye(axes, target, max(float((across + z).max()), 1e-6))
 
 
-def _gather(nodes: Mapping[str, Node]) -> tuple[Drawn, list[tuple[Label, Style, Any]]]:
+def gather(nodes: Mapping[str, Node]) -> tuple[Drawn, list[tuple[Label, Style, Any]]]:
     """Put everything visible into world coordinates."""
     worlds: dict[str, NDArray[np.float64] | None] = {"": np.eye(4)}
     parts: list[Drawn] = []

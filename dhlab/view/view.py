@@ -14,6 +14,7 @@ from dhlab.view.outputs import outputs_of, shell_with_kernel
 from dhlab.view.pace import Pace
 from dhlab.view.picture import Picture
 from dhlab.view.place import checked_path
+from dhlab.view.raster import still_picture
 from dhlab.view.recording import RecordingBackend
 
 if TYPE_CHECKING:
@@ -281,7 +282,10 @@ class View:
         return f"View({self.name!r}{': ' if shown else ''}{shown})"
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
-        """What a cell that ends in this view shows: the picture, or else a line of text."""
+        """What a cell that ends in this view shows: the picture, or else a line of text.
+
+        A front end without widgets has a small still picture.
+        """
         bundle: dict[str, Any] = {"text/plain": repr(self)}
         shell = shell_with_kernel()
         if shell is not None and (self._backend is None or self._shown is not None):
@@ -290,6 +294,7 @@ class View:
                 "version_minor": 0,
                 "model_id": self.widget.model_id,
             }
+            bundle |= still_picture(self.nodes, str(self._options["background"]))
             outputs_of(shell).note(self)
         return bundle
 

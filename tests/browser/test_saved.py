@@ -1,10 +1,16 @@
 """Notebooks saved with their widgets' state, opened again with a kernel that knows nothing."""
 
+import json
+from base64 import b64decode
+from io import BytesIO
+
 import nbformat
 import numpy as np
 import pytest
+from PIL import Image
 
 from dhlab import models
+from dhlab.panel.living import LivingExporter
 
 from .test_panel import Sliders
 from .test_view import ORANGE, near
@@ -122,3 +128,19 @@ def test_a_planned_motion_is_kept_and_plays_from_its_end(open_notebook, save):
     for part in (0.0, 0.55):
         shown.evaluate(f"[view.scene.players[0]].map(p => p.seek({part} * p.end)).length")
         assert furthest(shown, at(limb, start + part * (end - start))) < 1e-6
+
+
+def test_saved_without_its_widgets_a_notebook_still_holds_a_picture(open_notebook, lab):
+    notebook = open_notebook(SETUP, width=1280)
+    notebook.run_cell(0)
+    notebook.view("limb")
+    notebook.evaluate("() => jupyterapp.commands.execute('docmanager:save')")
+    saved = nbformat.read(lab.root / notebook.name, 4)
+    assert "widgets" not in saved.metadata
+    ((data,),) = [[out.data for out in cell.outputs] for cell in saved.cells if cell.outputs]
+    picture = np.asarray(Image.open(BytesIO(b64decode(data["image/png"]))).convert("RGB"))
+    assert (picture.min(axis=2) < 200).mean() > 0.01
+    assert len(json.dumps(data)) < 20_000
+    html, _ = LivingExporter().from_filename(str(lab.root / notebook.name))
+    assert "data:image/png;base64," in html
+    assert "widget-view" not in html

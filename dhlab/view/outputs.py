@@ -64,6 +64,10 @@ class Outputs:
         """
         self._kept.add(kept)
 
+    def has_page(self) -> bool:
+        """Whether the request that runs comes from a front end with cells, and so with a page."""
+        return bool(self._named())
+
     def _present(self) -> tuple[str, str]:
         """Return the cell that runs, by its id or else by its text, and which run of it this is."""
         parent = self._shell.get_parent() or {}

@@ -20,6 +20,7 @@ from dhlab.view.recording import RecordingBackend
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from dhlab.view.filming import Film
     from dhlab.view.widget import SceneWidget, WidgetBackend
 
 BACKGROUNDS = ("light", "dark")
@@ -268,6 +269,32 @@ class View:
         )
         place.write_bytes(png)
         return place
+
+    def save_film(self, path: str | os.PathLike[str]) -> "Film":
+        """Save a film of the planned motion, which the page that shows the view makes.
+
+        It returns at once. The page plays the motion from its first instant to its last, and the
+        file is written when that is over and no cell runs; what is returned says so.
+
+        Parameters
+        ----------
+        path : str or path
+            Ends in ``.webm``.
+
+        Returns
+        -------
+        film : Film
+            With `path`, `arrived` and `trouble`; as the last line of a cell it says how far it is.
+
+        Raises
+        ------
+        InputError
+            For a path that cannot be, where nothing moves, and where no page can be.
+        """
+        from dhlab.view.filming import ask_for_film
+
+        widget = None if self._shown is None else self._shown.widget
+        return ask_for_film(path, self.name, self.nodes, widget)
 
     def close(self) -> None:
         """Close the view's widget and the pictures it shows; it can be shown again."""

@@ -1,6 +1,7 @@
 """The Jupyter widgets behind a view: the scene, and the viewer that all views of a page share."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
+from itertools import count
 from typing import Any
 from uuid import uuid4
 
@@ -12,6 +13,8 @@ from dhlab.scene.handle import CHANGES
 from dhlab.view import assets
 from dhlab.view.commands import Command
 from dhlab.view.wire import Wire
+
+Take = Callable[[Mapping[str, Any], list[Any]], None]
 
 
 class Library(anywidget.AnyWidget):
@@ -44,6 +47,11 @@ class SceneWidget(anywidget.AnyWidget):
     library : Library
     **options
         `name`, `height`, `background`, `grid`, `controls` of the view.
+
+    Attributes
+    ----------
+    heard : bool
+        Whether a page has ever said a word.
     """
 
     _esm = assets.bundle("loader")
@@ -60,6 +68,9 @@ class SceneWidget(anywidget.AnyWidget):
     def __init__(self, wire: Wire, library: Library, **options: Any) -> None:
         self._wire = wire
         self._kept = -1
+        self._films: dict[int, Take] = {}
+        self._numbers = count(1)
+        self.heard = False
         self._is_new = True
         own_id = uuid4().hex
         super().__init__(
@@ -78,6 +89,12 @@ class SceneWidget(anywidget.AnyWidget):
         header, buffer = self._wire.batch(batch)
         self.send(header, [buffer])
 
+    def ask_for_film(self, take: Take) -> None:
+        """Let a page film the planned motion; `take` hears of what the first one has made."""
+        number = next(self._numbers)
+        self._films[number] = take
+        self.send({"kind": "film", "number": number})
+
     def keep(self) -> None:
         """Tell the scene as it is now as state, if it has changed since this was last called."""
         if self._kept != self._wire.sequence:
@@ -95,10 +112,15 @@ class SceneWidget(anywidget.AnyWidget):
         return state
 
     def _answer(self, widget: Any, content: Any, buffers: Any) -> None:
-        if isinstance(content, dict) and content.get("ask") == "scene":
+        if not isinstance(content, dict):
+            return
+        self.heard = True
+        if content.get("ask") == "scene":
             with CHANGES:
                 if content.get("have") != self._wire.sequence:
                     self.send_state("scene")
+        elif content.get("film") in self._films:
+            self._films.pop(content["film"])(content, buffers)
 
 
 class WidgetBackend:

@@ -16,6 +16,7 @@ export class Connection {
   #model;
   #asked = 0;
   #complained = false;
+  #films = [];
   #reload = () => this.#load();
 
   constructor(model) {
@@ -32,6 +33,7 @@ export class Connection {
 
   /** One message of the kernel: a batch, in order, or what only a snapshot can make good. */
   receive(content, buffers) {
+    if (content?.kind === "film") this.#film(content.number);
     if (content?.kind !== "batch") return;
     const { seq } = content;
     if (seq <= this.scene.sequence) return;
@@ -43,6 +45,7 @@ export class Connection {
   open(element, options) {
     const stage = new Stage(this.scene, element, { name: this.name, ...options });
     this.stages.push(stage);
+    for (const number of this.#films.splice(0)) this.#film(number);
     return {
       close: () => {
         this.stages.splice(this.stages.indexOf(stage), 1);
@@ -87,6 +90,15 @@ export class Connection {
       this.#complained = true;
       this.#ask();
     }
+  }
+
+  /** Make the film that Python has asked for, as soon as there is a picture. */
+  #film(number) {
+    const stage = this.stages.at(-1);
+    if (!stage) return void this.#films.push(number);
+    const answer = (told, ...buffers) => this.#model.send({ film: number, ...told }, undefined, buffers);
+    const trouble = stage.filmFor(async (blob, ending) => answer({ ending }, await blob.arrayBuffer()));
+    if (trouble) answer({ trouble });
   }
 
   #ask() {

@@ -1,6 +1,4 @@
 /** A film of a planned motion, recorded while it plays. */
-import { download } from "./saving.js";
-
 const KINDS = [
   ["video/webm;codecs=vp8", "webm"],
   ["video/webm", "webm"],
@@ -16,8 +14,8 @@ export function filmKind() {
 }
 
 /**
- * Plays `player` once from its first instant to its last and lets the browser save the film as
- * `name`. Whoever draws calls `take` after each picture, which `copy(context, width, height)`
+ * Plays `player` once from its first instant to its last and hands the film to
+ * `keep(blob, ending)`. Whoever draws calls `take` after each picture, which `copy(context, width, height)`
  * copies; `draw()` draws one at once. At its end the film calls `done()`.
  */
 export class Film {
@@ -32,7 +30,7 @@ export class Film {
   #begun = false;
   #rest = null;
 
-  constructor(player, { width, height, draw, copy, name, done }) {
+  constructor(player, { width, height, draw, copy, keep, done }) {
     const [type, ending] = filmKind();
     this.#player = player;
     this.#draw = draw;
@@ -48,7 +46,7 @@ export class Film {
     const stream = this.#canvas.captureStream(RATE); // begins with what the canvas shows now
     this.#recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: BITS });
     this.#recorder.addEventListener("dataavailable", ({ data }) => {
-      if (data.size) download(data, name, ending);
+      if (data.size) keep(data, ending);
     });
     this.#recorder.addEventListener("stop", () => {
       for (const track of stream.getTracks()) track.stop();

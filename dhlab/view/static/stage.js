@@ -6,7 +6,7 @@ import { Camera, DIRECTIONS } from "./camera.js";
 import { Film, filmKind } from "./film.js";
 import { createMeshcat, THREE } from "./meshcat.js";
 import { PlayerBar } from "./playerbar.js";
-import { savePicture } from "./saving.js";
+import { download, savePicture } from "./saving.js";
 import { STYLE } from "./style.js";
 import { Surroundings, contrastOf, paintBackground, paintOf } from "./surroundings.js";
 import { actionOfKey, createToolbar } from "./toolbar.js";
@@ -125,12 +125,12 @@ export class Stage {
   }
 
   /** Film the planned motion in the player bar; while it is filmed, end the film there. */
-  film() {
+  film(keep = (blob, ending) => download(blob, this.name, ending)) {
     if (this.#film) return void this.#film.end();
     this.#film = new Film(this.scene.players.at(-1), {
       width: this.canvas.width,
       height: this.canvas.height,
-      name: this.name,
+      keep,
       draw: () => this.render(),
       copy: (...onto) => this.#copy(...onto),
       done: () => {
@@ -139,6 +139,16 @@ export class Stage {
       },
     });
     this.playerBar.showFilming(true);
+  }
+
+  /** Film for somebody who asks for it, in sight; returns why that cannot be, or nothing. */
+  filmFor(keep) {
+    if (!filmKind()) return "this browser makes no films";
+    if (this.#film) return "another film is just being made";
+    if (this.scene.players.at(-1)?.stops.length !== 0) return "nothing moves in the page";
+    this.element.scrollIntoView({ block: "nearest" });
+    this.film(keep);
+    return "";
   }
 
   act(name) {

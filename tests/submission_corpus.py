@@ -124,11 +124,6 @@ class Submission:
     needs_sandbox: bool = False
 
     @property
-    def points(self) -> int:
-        """What it deserves."""
-        return sum(POINTS[name] for name, reason in self.gets.items() if reason == "right")
-
-    @property
     def status(self) -> str:
         """What marking says of it."""
         return "partly graded" if self.left_out else "graded"

@@ -52,6 +52,7 @@ class Heard:
         self._asks = asks
         self.is_ready = self.is_done = False
         self.cell: int | None = None
+        self._furthest = 0
         self.question: int | None = None
         self.values: dict[tuple[int, int], Any] = {}
         self.ends: dict[int, NoValue] = {}
@@ -84,8 +85,8 @@ class Heard:
     def _begin_cell(self, number: Any) -> None:
         if number is None:
             self.cell = None
-        elif type(number) is int and number in self._cells and number > (self.cell or 0):
-            self.cell = number
+        elif type(number) is int and number in self._cells and number > self._furthest:
+            self.cell = self._furthest = number
 
     def _hear_question(self, words: dict[str, Any]) -> None:
         k, j = words["question"], words.get("case")
@@ -108,8 +109,8 @@ class Heard:
             self._note(tidy(note))
         if isinstance(student, str) and self.student is None:
             self.student = tidy(student)
-        if isinstance(error, list) and len(error) == 2 and error[0] in self._cells:
-            self._note(f"cell {error[0]}: {tidy(str(error[1]))}")
+        if isinstance(error, list) and [type(part) for part in error] == [int, str]:
+            self._note(f"cell {error[0] if error[0] in self._cells else '?'}: {tidy(error[1])}")
 
     def _note(self, text: str) -> None:
         if text not in self.notes and len(self.notes) < MOST_NOTES:

@@ -18,11 +18,11 @@ from dhlab.grading.sandbox import Limits, Sandbox
 Status: TypeAlias = Literal["graded", "partly graded", "unreadable", "missing"]
 
 IMPORTS = re.compile(
-    r"(?:^|;)[ \t]*(?:from[ \t]+([\w.]+)[ \t]+import[ \t]*(?:\(([^)]*)\)|([\w \t.,*]+))"
+    r"(?:^|;)[ \t]*(?:from[ \t]+([\w.]+)[ \t]+import[ \t]*(?:\(([^)]{0,2000})\)|([\w \t.,*]+))"
     r"|import[ \t]+([\w \t.,]+))",
     re.MULTILINE,
 )
-MOST_IMPORTS = 50
+MOST_IMPORTS, LONGEST_CELL = 50, 100_000
 
 
 @dataclass(frozen=True)
@@ -137,7 +137,7 @@ def imports_of(cells: Sequence[str]) -> tuple[str, ...]:
     """
     found: dict[str, None] = {}
     for cell in cells:
-        for module, *lists in IMPORTS.findall(cell):
+        for module, *lists in IMPORTS.findall(cell[:LONGEST_CELL]):
             words = [name.split() for name in "".join(lists).split(",")]
             names = [w[0] for w in words if w and re.fullmatch(r"[\w.*]+", w[0])]
             found |= {f"{module}.{name}" if module else name: None for name in names}

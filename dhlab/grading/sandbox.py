@@ -1,20 +1,18 @@
 """Where a student's code runs: a bubblewrap sandbox, or, asked for in so many words, no sandbox."""
 
+import compileall
 import json
 import os
 import shutil
-import signal
 import subprocess
 import sys
 import tempfile
 import threading
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
-
-import psutil
 
 from dhlab.errors import DhlabError, InputError
 from dhlab.grading.mounts import (
@@ -25,6 +23,8 @@ from dhlab.grading.mounts import (
     package_folders,
     python,
 )
+from dhlab.grading.processes import end
+from dhlab.grading.syscalls import filter_program
 from dhlab.grading.tools import PACKAGE
 
 Sandbox: TypeAlias = Literal["bwrap", "none"]
@@ -121,19 +121,20 @@ def started(
         Its output is the lines of `main`, its errors what is said before it is ready.
     """
     check_sandbox(sandbox)
+    compileall.compile_dir(INSIDE, quiet=2)  # a sandbox could not keep what it compiles
     with tempfile.TemporaryDirectory(prefix="dhlab-") as folder:
         path = Path(folder) / "job"
         path.write_text(json.dumps(job, allow_nan=False), "utf-8")
-        with path.open("rb") as source:
+        with path.open("rb") as source, _filter(sandbox) as calls:
             path.unlink()
-            command = _bwrap(limits, room) if sandbox == "bwrap" else _bare(room)
             process = subprocess.Popen(
-                command,
+                _bwrap(limits, room, calls) if sandbox == "bwrap" else _bare(room),
                 stdin=source,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.PIPE,
                 cwd=folder,
                 env={},
+                pass_fds=calls,
                 start_new_session=True,
             )
         with process:
@@ -143,33 +144,20 @@ def started(
                 end(process)
 
 
-def end(process: subprocess.Popen[bytes]) -> None:
-    """End a process and everything that came from it; return when all of it is gone.
-
-    In a sandbox the first process below bubblewrap is the first of a process namespace: the
-    kernel ends all others with it, and bubblewrap ends after it.
-    """
-    below = _below(process.pid)
-    for other in below:
-        _kill(other.pid)
-    with suppress(subprocess.TimeoutExpired):
-        process.wait(2)
-    with suppress(ProcessLookupError):
-        os.killpg(process.pid, signal.SIGKILL)
-    process.wait()
-    psutil.wait_procs(below, timeout=2)
-
-
-def _below(process: int) -> list[psutil.Process]:
-    with suppress(psutil.Error):
-        found: list[psutil.Process] = psutil.Process(process).children(recursive=True)
-        return found
-    return []
-
-
-def _kill(process: int) -> None:
-    with suppress(OSError):
-        os.kill(process, signal.SIGKILL)
+@contextmanager
+def _filter(sandbox: Sandbox) -> Iterator[list[int]]:
+    """Yield the descriptor of the filter of system calls, if there is one for this machine."""
+    program = filter_program() if sandbox == "bwrap" else None
+    if program is None:
+        yield []
+        return
+    source, sink = os.pipe()
+    try:
+        with os.fdopen(sink, "wb") as file:
+            file.write(program)
+        yield [source]
+    finally:
+        os.close(source)
 
 
 def _bare(room: Room) -> list[str]:
@@ -177,7 +165,7 @@ def _bare(room: Room) -> list[str]:
     return [python(), "-I", "-S", "-B", str(INSIDE / "boot.py"), "0", *package_folders(room)]
 
 
-def _bwrap(limits: Limits, room: Room) -> list[str]:
+def _bwrap(limits: Limits, room: Room, calls: Sequence[int] = ()) -> list[str]:
     """Return the command of a sandbox: Python and packages to read, a little memory to write."""
     boot = f"{MOUNTED}/{INSIDE.relative_to(PACKAGE)}/boot.py"
     bwrap = shutil.which("bwrap") or "bwrap"
@@ -189,6 +177,7 @@ def _bwrap(limits: Limits, room: Room) -> list[str]:
         *mounts(room),
         *("--proc", "/proc", "--dev", "/dev", "--size", "1048576", "--tmpfs", "/dev/shm"),
         *("--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/tmp"),
+        *(word for descriptor in calls for word in ("--seccomp", str(descriptor))),
         *(python(), "-I", "-S", "-B", boot, str(_user()), *package_folders(room)),
     ]
 

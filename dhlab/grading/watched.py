@@ -4,13 +4,10 @@ import os
 import selectors
 import subprocess
 import time
-from contextlib import suppress
-from dataclasses import dataclass
-
-import psutil
 
 from dhlab.grading.asked import Reason
 from dhlab.grading.heard import Heard
+from dhlab.grading.processes import Used, look
 from dhlab.grading.sandbox import Limits, SandboxError
 
 PAUSE = 0.1
@@ -20,16 +17,6 @@ START = 60
 MOST_LINES = 10_000
 PATIENCE = 5
 """How many times longer a run may take that computes but gets no processor."""
-
-
-@dataclass
-class Used:
-    """What the processes of a run use at one moment."""
-
-    memory: int = 0
-    processes: int = 0
-    cpu: float = 0
-    is_busy: bool = False
 
 
 def watch(
@@ -128,47 +115,31 @@ class _Clock:
         self._deadline = deadline
         self.began = self._phase_began = self._looked = time.monotonic()
         self._phase: object = None
-        self._cpu_before = 0.0
+        self._cpu_before: float | None = None
 
     def stops(self, heard: Heard, process: int) -> Reason | None:
         """Say what there is too much of, if anything."""
         now = time.monotonic()
         if now > self._deadline:
             return "too slow"
-        is_new = heard.phase != self._phase
-        if is_new:
-            self._phase, self._phase_began = heard.phase, now
+        if heard.phase != self._phase:
+            self._phase, self._phase_began, self._cpu_before = heard.phase, now, None
         if now - self._looked < 2 * PAUSE:
             return None
         self._looked = now
         used = look(process)
-        if is_new:
+        if self._cpu_before is None:  # what was used before it was first seen is not counted
             self._cpu_before = used.cpu
         if used.memory > self._limits.memory:
             return "too much memory"
         if used.processes > 2 * self._limits.processes:
             return "ended"
         slack = 0 if heard.question is None else 1  # a question's own clock is inside
-        return self._too_slow(now - self._phase_began - slack, used)
-
-    def _too_slow(self, seconds: float, used: Used) -> Reason | None:
         if used.cpu - self._cpu_before > self._limits.cpu + 1:
             return "too slow"
+        return self._too_late(now - self._phase_began - slack, used)
+
+    def _too_late(self, seconds: float, used: Used) -> Reason | None:
         late = seconds - self._limits.wall
         too_late = late > 0 and not used.is_busy
         return "too slow" if too_late or late > (PATIENCE - 1) * self._limits.wall else None
-
-
-def look(process: int) -> Used:
-    """Look at a process and everything below it."""
-    used = Used()
-    with suppress(psutil.Error):
-        top = psutil.Process(process)
-        for other in [top, *top.children(recursive=True)]:
-            with suppress(psutil.Error), other.oneshot():
-                used.memory += other.memory_info().rss
-                used.processes += 1
-                times = other.cpu_times()
-                used.cpu += times.user + times.system + times.children_user + times.children_system
-                used.is_busy |= other.status() == psutil.STATUS_RUNNING
-    return used

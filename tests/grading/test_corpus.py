@@ -12,11 +12,11 @@ import pytest
 from dhlab.grading.exercise import exercise_from_text
 from dhlab.grading.mark import mark_cells
 from dhlab.grading.sandbox import Limits
-from tests.submission_corpus import CHECKS, CORPUS, filled
+from tests.submission_corpus import CHECKS, CORPUS, POINTS, filled
 
 EXERCISE = exercise_from_text(CHECKS, "corpus", tools=("rp2t",))
 SHORT = Limits(cpu=1, wall=2, memory=3 * 2**28)
-LIVE = ("<", "SECRET", "checks.py", "dh.py", "T = [[")
+LIVE = ("<", "SECRET", "checks.py", "dh.py", "T = [[", "wrote /")
 """What nothing that is told may hold: markup, and what was found where it was forbidden."""
 
 
@@ -66,7 +66,7 @@ def test_a_submission_gets_what_it_deserves_and_does_no_harm(
 
     for question in marked.questions:
         assert question.reason in one.gets[question.name].split(" or "), question.text
-    assert marked.points == one.points
+    assert marked.points == sum(POINTS[q.name] for q in marked.questions if q.reason == "right")
     assert (marked.status, marked.left_out) == (one.status, one.left_out)
     assert any(one.noted in note for note in [*marked.notes, ""])
     told = json.dumps(asdict(marked), ensure_ascii=False, allow_nan=False)

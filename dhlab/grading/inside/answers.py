@@ -1,7 +1,7 @@
 """What a student's function or variable gives, as strict JSON, or the reason for nothing."""
 
 import linecache
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from types import TracebackType
 from typing import Any
 
@@ -61,10 +61,13 @@ def no(reason: str, text: str = "") -> dict[str, list[str]]:
 
 
 def told(error: BaseException) -> str:
-    """Say an error on one line, with the student's line that it came from."""
-    text = tidy(f"{type(error).__name__}: {_safely(lambda: str(error))}".rstrip(": "), 140)
-    line = _line_of(error.__traceback__)
-    return tidy(f"{text}, in the line `{line}`" if line else text)
+    """Say an error on one line, with the student's line that it came from; it never raises."""
+    try:
+        text = tidy(f"{type(error).__name__}: {error}".rstrip(": "), 140)
+        line = _line_of(error.__traceback__)
+        return tidy(f"{text}, in the line `{line}`" if line else text)
+    except BaseException:
+        return "an error that cannot be told"
 
 
 def _value(thing: Any, arguments: Sequence[Any]) -> Any:
@@ -78,13 +81,6 @@ def _value(thing: Any, arguments: Sequence[Any]) -> Any:
     if value is ...:
         raise Untouched
     return value
-
-
-def _safely(text_of: Callable[[], str]) -> str:
-    try:
-        return text_of()
-    except BaseException:
-        return "an error that cannot be told"
 
 
 def _line_of(trace: TracebackType | None) -> str:

@@ -1,7 +1,6 @@
 """Running the cells of a notebook, one after the other, in one namespace."""
 
 import ast
-import asyncio
 import builtins
 import inspect
 import linecache
@@ -49,7 +48,9 @@ def run_cell(text: str, number: int, names: dict[str, Any]) -> None:
     """
     file = f"{CELL}{number}"
     code = _compiled(text, file)
-    if inspect.CO_COROUTINE & code.co_flags:  # a cell may await
+    if code.co_flags & inspect.CO_COROUTINE:  # the cell awaits something
+        import asyncio  # takes as long as half of numpy
+
         asyncio.run(eval(code, names))
     else:
         exec(code, names)

@@ -7,7 +7,6 @@ checks, so every name of dhlab can be imported and called; it gives `Nothing`.
 import copy
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec
 from math import pi
 from types import ModuleType
@@ -125,7 +124,7 @@ class Checks:
         """Say nothing."""
 
 
-class Library(MetaPathFinder, Loader):
+class Library:
     """Finds `dhlab` and everything in it, and makes modules whose names give `Nothing`.
 
     Parameters
@@ -147,7 +146,7 @@ class Library(MetaPathFinder, Loader):
         """Claim the modules below the root."""
         if name != self.root and not name.startswith(f"{self.root}."):
             return None
-        return ModuleSpec(name, self, is_package=True)
+        return ModuleSpec(name, self, is_package=True)  # type: ignore[arg-type]
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
         """Make a module that has every name."""
@@ -199,4 +198,5 @@ def install(stage: Stage, said: Callable[[str], None], named: Callable[[str], No
     real: dict[str, Any] = {"checks": checks}
     if "dhlab" in stage.parts:
         real |= {"deg": deg, "dh": DHRow, "DHRow": DHRow, **stage.tools}
-    sys.meta_path[:0] = [Library(part, real, said) for part in stage.parts]
+    finders: list[Any] = [Library(part, real, said) for part in stage.parts]
+    sys.meta_path[:0] = finders

@@ -221,7 +221,7 @@ def _limits(value: Any, n: int) -> Floats:
         return np.tile([-np.inf, np.inf], (n, 1))
     try:
         limits = np.array(value, dtype=np.float64)
-    except (ValueError, TypeError):
+    except Exception:  # whatever came may answer with any error
         raise Unreadable("The limits are not made of numbers.") from None
     if limits.shape != (n, 2) or np.isnan(limits).any():
         raise Unreadable(f"The limits need a lower and an upper one for each of {n} joints.")

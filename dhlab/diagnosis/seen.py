@@ -16,7 +16,7 @@ def pose_seen(came: Floats, wanted: Floats, name: str = "the frame") -> str:
     Examples
     --------
     >>> pose_seen(np.diag([1.0, 1, 2]), np.eye(3))
-    'This is no rotation matrix: the z column has length 2, not 1.'
+    'This is no rotation matrix: its z column is longer than 1.'
     """
     A, B = as_pose44(came), as_pose44(wanted)
     if np.abs(A[3] - (0, 0, 0, 1)).max() > SMALL:
@@ -86,10 +86,8 @@ def _no_rotation(R: Floats) -> str:
     lengths = np.linalg.norm(R, axis=0)
     for k in range(3):
         if abs(lengths[k] - 1) > 1e-5:
-            return (
-                f"This is no rotation matrix: the {'xyz'[k]} column has length "
-                f"{lengths[k]:.3g}, not 1."
-            )
+            than = "longer" if lengths[k] > 1 else "shorter"
+            return f"This is no rotation matrix: its {'xyz'[k]} column is {than} than 1."
     gram = R.T @ R
     for i, j in ((0, 1), (0, 2), (1, 2)):
         if abs(gram[i, j]) > 1e-5:

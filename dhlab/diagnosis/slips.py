@@ -71,9 +71,9 @@ def explain(
         for k in order:
             if not left:
                 break
-            made = evaluate(_all_changed(models[k], left))
-            fits = [close(values[k], m, tolerance) for m in made]
-            left = [chain for chain, fit in zip(left, fits, strict=True) if fit]
+            made = np.array(evaluate(_all_changed(models[k], left)))
+            fits = np.abs(made - values[k]) <= tolerance * (1 + np.abs(made))
+            left = [left[i] for i in np.flatnonzero(fits.reshape(len(left), -1).all(axis=1))]
         if left:
             return unique(tuple(s.mistake for s in chain) for chain in left)
     return []

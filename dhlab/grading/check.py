@@ -8,6 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from dhlab.errors import DhlabError, InputError
 from dhlab.grading.exercise import Exercise, Given, exercise_from_text, load_exercise
 from dhlab.grading.judge import judge
@@ -69,7 +71,9 @@ class Check:
         self._given = self._exercise.numbers(student, self._course)
         return dict(self._given)
 
-    def __call__(self, name: str, answer: Any, *, raises: bool | None = None) -> Said:
+    def __call__(
+        self, name: str, answer: Any, *, raises: bool | None = None, seed: int | None = None
+    ) -> Said:
         """Say whether an answer is right, and if it is not, what it suggests.
 
         Parameters
@@ -81,6 +85,8 @@ class Check:
         raises : bool, optional
             Whether to raise if it is not right, for graders that go by exceptions; as `checks`
             was told if not given.
+        seed : int, optional
+            Try the further cases of the question too, drawn from this seed, as marking does.
 
         Returns
         -------
@@ -92,7 +98,7 @@ class Check:
         NotRight
             The answer is not right, and `raises` is true.
         """
-        said = self._said(name, answer)
+        said = self._said(name, answer, seed)
         if not said.right and (self._raises if raises is None else raises):
             raise NotRight(repr(said))
         return said
@@ -127,30 +133,30 @@ class Check:
     def __repr__(self) -> str:
         return f"the checks of exercise {self._exercise.name!r}"
 
-    def _said(self, name: str, answer: Any) -> Said:
+    def _said(self, name: str, answer: Any, seed: int | None) -> Said:
         if self._given is None:
             return Said(None, f"{name}: not checked", NO_NUMBERS)
         questions = {q.name: q for q in self.questions}
         if name not in questions:
             there = ", ".join(questions)
             return Said(None, f"there is no question {name!r}", f"The questions are: {there}.")
-        said = self._of(questions[name], answer)
+        said = self._of(questions[name], answer, seed)
         return replace(said, note=f"{said.note} {NOBODY}".strip()) if self._is_nobody else said
 
-    def _of(self, question: Question, answer: Any) -> Said:
-        cases = values_of(question, answer)
+    def _of(self, question: Question, answer: Any, seed: int | None) -> Said:
+        further = seed is not None and question.inputs is not None
+        asked = question.cases()
+        if further:
+            asked = self._exercise.cases(question, np.random.default_rng(seed))
+        cases = values_of(question, answer, asked)
         judged = judge(question, cases)
         if judged.reason == "stub":
             return Said(None, f"{question.name}: still to be written", judged.text)
         head = f"{question.name}: {'right' if judged.right else 'not right yet'}"
-        tried = [(call_text(question.name, a), right_alone(question, a, v)) for a, v in cases]
-        return Said(
-            judged.right,
-            head,
-            judged.text.removeprefix("Right.").strip(),
-            tuple(tried) if question.is_function else (),
-            MORE if question.inputs and judged.right else "",
-        )
+        shown = cases[: len(question.examples)] if question.is_function else []
+        tried = [(call_text(question.name, a), right_alone(question, a, v)) for a, v in shown]
+        note = MORE if judged.right and question.inputs and not further else ""
+        return Said(judged.right, head, judged.text.removeprefix("Right.").strip(), tried, note)
 
 
 def checks(text: str | None = None, *, course: str = "", raises: bool = False) -> Check:
@@ -162,6 +168,7 @@ def checks(text: str | None = None, *, course: str = "", raises: bool = False) -
     Graders that go by exceptions, such as nbgrader and otter, can use it too: a cell with
     ``check("rot_z", rot_z, raises=True)`` raises `NotRight`, an AssertionError with the same
     sentences, unless the answer is right; ``checks(..., raises=True)`` makes every check do so.
+    With ``seed=7`` it also tries the further cases that the student does not see.
 
     Parameters
     ----------

@@ -148,15 +148,25 @@ def load_exercise(folder: Path) -> Exercise:
         There is no such file, or it has an error; the message names file and line.
     """
     path = Path(folder) / CHECKS
+    text, notebook = text_of(path), path.with_name(NOTEBOOK)
+    tools = imports_from_dhlab(text_of(notebook)) if notebook.is_file() else ()
+    return exercise_from_text(text, path.resolve().parent.name, str(path), tools)
+
+
+def text_of(path: Path) -> str:
+    """Text of one of an exercise's files.
+
+    Raises
+    ------
+    DhlabError
+        There is no such file, or it is not written in UTF-8.
+    """
     if not path.is_file():
-        raise DhlabError(f"{folder} is no exercise: there is no {CHECKS} in it")
+        raise DhlabError(f"{path.parent} is no exercise: there is no {path.name} in it")
     try:
-        text = path.read_text("utf-8")
+        return path.read_text("utf-8")
     except UnicodeDecodeError as error:
         raise DhlabError(f"{path} is not written in UTF-8 ({error})") from None
-    notebook = path.with_name(NOTEBOOK)
-    tools = imports_from_dhlab(notebook.read_text("utf-8")) if notebook.is_file() else ()
-    return exercise_from_text(text, path.resolve().parent.name, str(path), tools)
 
 
 def exercise_from_text(

@@ -14,7 +14,7 @@ from dhlab.grading.exercise import Exercise, load_exercise
 from dhlab.grading.judge import Judged, judge
 from dhlab.grading.question import Question
 from dhlab.grading.source import Cell, answers, assigned, blanked, read_cells, with_checks
-from dhlab.grading.trial import Namespace, check_of, for_student, run_cells
+from dhlab.grading.trial import Namespace, check_of, for_student, run_cell, run_cells
 from dhlab.grading.tried import values_of
 
 SOURCE, WRONG = "exercise.py", "wrong.py"
@@ -126,7 +126,7 @@ def wrong_is_explained(source: Source, wrong: Wrong, student: str) -> None:
 
     def instead(cell: Cell, names: Namespace) -> None:
         if wrong.name in assigned(cell):
-            exec(compile(wrong.cell.source, wrong.cell.where(), "exec"), names)
+            run_cell(wrong.cell, names)
 
     names = run_cells(for_student(source.solved, student), instead)
     question = next(q for q in asked(source, names) if q.name == wrong.name)

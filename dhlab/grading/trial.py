@@ -44,7 +44,7 @@ def run_cells(
     with _recording(), redirect_stdout(io.StringIO()):
         for cell in cells:
             if cell.kind == "code":
-                _run(cell, names)
+                run_cell(cell, names)
                 if after is not None:
                     after(cell, names)
     return names
@@ -71,7 +71,14 @@ def _renamed(line: str, named: str) -> str:
     return named if line.startswith("STUDENT = ") else line
 
 
-def _run(cell: Cell, names: Namespace) -> None:
+def run_cell(cell: Cell, names: Namespace) -> None:
+    """Run one code cell with the names there are, and show what it ends in.
+
+    Raises
+    ------
+    DhlabError
+        The cell raised; the message names the place in the file.
+    """
     tree = ast.parse(cell.source)
     last = tree.body.pop() if tree.body and isinstance(tree.body[-1], ast.Expr) else None
     try:

@@ -28,6 +28,14 @@ from dhlab.view.prose import formula
 class TableWidget(anywidget.AnyWidget):
     """The tables in the page.
 
+    What it is made with goes to the page with it: a page that is slow to load a widget's module
+    does not hear what it is told in the meantime.
+
+    Parameters
+    ----------
+    **state
+        `tables` and `steps`, as they are at first.
+
     Attributes
     ----------
     tables : list of dict
@@ -47,9 +55,9 @@ class TableWidget(anywidget.AnyWidget):
     steps: "traitlets.List[bool]" = traitlets.List([False, False]).tag(sync=True)
     code: "traitlets.List[Any]" = traitlets.List().tag(sync=True)
 
-    def __init__(self) -> None:
+    def __init__(self, **state: Any) -> None:
         own_id = uuid4().hex
-        super().__init__(model_id=own_id, own_id=own_id)
+        super().__init__(model_id=own_id, own_id=own_id, **state)
 
 
 class TableEditor:
@@ -107,11 +115,10 @@ class TableEditor:
         """The Jupyter widget, to lay it out beside others."""
         with CHANGES:
             if self._widget is None:
-                self._widget = TableWidget()
+                self._widget = TableWidget(**self._state())
                 self._widget.on_msg(_weakly(self._hear))
                 closing = weakref.finalize(self, _close, self._widget)
                 closing.atexit = False
-                self.flush()
             return self._widget
 
     def edit(self, row: int, parameter: str, text: str, component: int = 0) -> None:
@@ -173,14 +180,24 @@ class TableEditor:
         """Tell the page now what the tables are."""
         with CHANGES:
             if self._widget is not None:
-                self._widget.tables = [_table(c) for c in self._robot.components]
-                self._widget.steps = [self._edits.can_undo, self._edits.can_redo]
+                for name, value in self._state().items():
+                    setattr(self._widget, name, value)
+
+    def _state(self) -> dict[str, Any]:
+        """What the page shows; the lock is held."""
+        return {
+            "tables": [_table(component) for component in self._robot.components],
+            "steps": [self._edits.can_undo, self._edits.can_redo],
+        }
 
     def _hear(self, widget: Any, content: Any, buffers: Any) -> None:
         """Do what the page asks for: each word is a message of its own, so that none is lost."""
         what, *about = content["say"]
         if what in ("undo", "redo", "copy"):
             getattr(self, what)()
+            return
+        if what == "ready":
+            self.widget.send_state(("tables", "steps"))
             return
         component, row, column, *text = about
         parameter = None if column is None else PARAMETERS[column]

@@ -53,11 +53,11 @@ def times(seen: dict[str, Seen]) -> Iterator[Row]:
     yield Row(
         "panel: animation frames, that of the drag counted", panel.frames, target="<= 1", unit=""
     )
-    others = {"bare sliders by the kernel": bare}
+    others = {"a bare pair of sliders": bare}
     others |= {shown: seen[name] for name, shown in SHOWN.items() if name in seen}
     for name, other in others.items():
         yield Row("panel: drag to the frame that shows it", panel.posed, other.posed, name)
-    later = "through the kernel: later than bare sliders"
+    later = "through the kernel: later than a bare pair"
     yield Row(f"{later}, in the page", plain.arrived - bare.arrived, target=f"<= {FRAME}")
     yield Row(f"{later}, the frame", plain.posed - bare.posed, target=f"<= {FRAME}")
     for name, other in others.items():
@@ -69,9 +69,11 @@ def times(seen: dict[str, Seen]) -> Iterator[Row]:
 
 def traffic(seen: dict[str, Seen]) -> Iterator[Row]:
     """What crosses the page's sockets, both ways, in the half second after a drag."""
-    for own, what in (("panel", "panel"), ("plain", "through the kernel")):
-        for name, shown in {"bare": "bare sliders by the kernel", **SHOWN}.items():
-            if name in seen:
-                here, there = seen[own], seen[name]
-                yield Row(f"{what}: messages", here.messages, there.messages, shown, "")
-                yield Row(f"{what}: bytes", here.size, there.size, shown, "B")
+    others = {"bare": "a bare pair of sliders", **SHOWN}
+    for name, shown in others.items():
+        if name not in seen:
+            continue
+        for own, what in (("panel", "panel"), ("plain", "through the kernel")):
+            here, there = seen[own], seen[name]
+            yield Row(f"{what}: messages of a drag", here.messages, there.messages, shown, "")
+            yield Row(f"{what}: bytes of a drag", here.size, there.size, shown, "B")

@@ -104,6 +104,7 @@ def test_a_line_of_an_answer_that_is_also_given_away_is_refused(folder, edit):
         ("# %% rot_z: sign-1", "# %% rot_z: axis-1-y", "0 points and sign-1, inverse"),
         ("# %% rot_z: sign-1", "# %% rot_y: sign-1", "no question 'rot_y'; there are rot_z, R"),
         ("# %% rot_z: sign-1", "# %% sign-1", "begins with '# %% name: mistake'"),
+        ("R = rotz(0.7)", "R = rotz(seven)", "wrong.py, line 11: the cell that begins here raised"),
         ("rotz(-angle)", "rotz(-angle", "wrong.py, line 2: '(' was never closed"),
         ('# %% R: shape (3,)\nR = [given["angle"], 0, 0.7]\n', "", "4 wrong answers; 5 are need"),
     ],
@@ -129,3 +130,12 @@ def test_wrong_answers_that_do_not_prove_what_they_should_are_refused(folder, ed
 def test_a_source_that_cannot_be_read_is_refused_with_its_line(folder, edit, old, new, said):
     edit("exercise.py", old, new)
     assert said in refused(folder)
+
+
+@pytest.mark.parametrize("name", ["exercise.py", "checks.py", "wrong.py"])
+def test_a_file_that_is_missing_or_not_in_utf8_is_named(folder, name):
+    text = (folder / name).read_bytes()
+    (folder / name).write_bytes(text + b"# \xff\n")
+    assert f"{name} is not written in UTF-8" in refused(folder)
+    (folder / name).unlink()
+    assert f"there is no {name} in it" in refused(folder)

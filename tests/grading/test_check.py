@@ -69,7 +69,7 @@ def test_a_wrong_answer_is_explained_and_never_given_away(check):
 
 def test_an_answer_that_is_right_for_some_examples_shows_which(check):
     said = check("rot_z", lambda angle: rotz(abs(angle)))
-    assert said.tried == (("rot_z(0.4)", True), ("rot_z(-1.1)", False))
+    assert said.tried == [("rot_z(0.4)", True), ("rot_z(-1.1)", False)]
 
 
 def test_a_stub_gets_its_hint(check):
@@ -168,6 +168,18 @@ def test_told_to_raise_it_raises_unless_the_answer_is_right(folder):
     with pytest.raises(NotRight, match="Nothing is there yet"):
         strict("rot_z", ...)
     assert strict("rot_z", ..., raises=False).right is None
+
+
+def test_with_a_seed_the_cases_that_marking_tries_are_tried_too_and_not_told(check):
+    def knows_the_examples(angle):
+        return rotz(angle) if angle in (0.4, -1.1) else np.eye(3)
+
+    assert check("rot_z", knows_the_examples).right
+    said = check("rot_z", knows_the_examples, seed=3)
+    assert said.right is False
+    assert said.tried == [("rot_z(0.4)", True), ("rot_z(-1.1)", True)]
+    assert "For 3 of 4 inputs it is right" in repr(said)
+    assert check("rot_z", rotz, seed=3).note == ""
 
 
 def test_nothing_to_draw_yet_is_said_and_not_raised(check):

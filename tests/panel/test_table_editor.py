@@ -5,6 +5,7 @@ import pytest
 
 from dhlab import InputError, LimitError, TableEditor, View, deg, dh, models, robot, side_by_side
 from dhlab.panel.table_code import table_code
+from dhlab.panel.table_editor import TableWidget
 
 
 @pytest.fixture
@@ -31,6 +32,24 @@ def test_an_edit_moves_the_robot_at_once(arm, editor):
     editor.edit(2, "alpha", "-45°")
     assert (arm.chain.rows[1].a, arm.chain.rows[1].alpha) == (0.35, pytest.approx(-np.pi / 4))
     assert not np.allclose(arm.frames()["arm/grasper"], before)
+
+
+def test_the_page_gets_the_tables_together_with_the_widget(arm, monkeypatch):
+    opened = []
+    monkeypatch.setattr(TableWidget, "open", lambda self: opened.append(self.get_state()))
+    editor = TableEditor(arm)
+    editor.edit(1, "d", "0.3")
+    assert editor.widget.comm is None
+    state = opened[0]
+    assert [len(table["rows"]) for table in state["tables"]] == [3]
+    assert state["steps"] == [True, False]
+
+
+def test_a_page_that_is_ready_late_is_told_again(editor, monkeypatch):
+    told, _ = [], editor.widget
+    monkeypatch.setattr(TableWidget, "send_state", lambda self, key=None: told.append(key))
+    say(editor, "ready")
+    assert told == [("tables", "steps")]
 
 
 def test_the_cell_of_a_variable_sets_the_variable(arm, editor):

@@ -139,6 +139,7 @@ export default () => ({
     };
     for (const name of ["tables", "steps", "note"]) show[name]();
     for (const [name, run] of Object.entries(show)) model.on(`change:${name}`, run);
+    model.send({ say: ["ready"] }); // what was told while this module still loaded was not heard
     return () => {
       for (const [name, run] of Object.entries(show)) model.off(`change:${name}`, run);
     };

@@ -6,6 +6,7 @@ import nbformat
 import pytest
 
 from dhlab.grading.build import notebook_path, same
+from dhlab.grading.grade import Order, grade
 from dhlab.grading.mark import mark_cells
 from dhlab.grading.proof import (
     ENOUGH,
@@ -85,3 +86,14 @@ def test_the_points_of_the_title_are_those_of_the_questions(source):
     questions = check_of(run_cells(source.released), "").questions
     assert f"**Points.** {sum(q.points for q in questions):g}." in text
     assert all(question.hint for question in questions)
+
+
+def test_a_class_is_marked_with_the_numbers_of_the_course_that_the_notebook_names(tmp_path):
+    source = Source(SOURCES["02_sequences"])
+    assert source.exercise.course == "dhlab"
+    for student in ("ada", "grace"):
+        cells = for_student(source.solved, student)
+        (tmp_path / f"{student}.ipynb").write_text(notebook_text(cells), "utf-8")
+    order = Order(source.folder, tmp_path, tmp_path / "results", sandbox="none", workers=1)
+    results = grade(order)
+    assert [(row.student, row.points) for row in results.rows] == [("ada", 7), ("grace", 7)]

@@ -52,7 +52,7 @@ def add_grade(commands: Commands) -> None:
         "--course",
         default="",
         metavar="NAME",
-        help="as in the notebooks, for students' own numbers",
+        help="for students' own numbers (default: that of the exercise's notebook)",
     )
     grade.add_argument(
         "--students", type=Path, metavar="FILE", help="list of the class (CSV, or a name a line)"

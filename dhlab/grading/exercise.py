@@ -38,6 +38,8 @@ class Exercise:
     tools : tuple of str
         What its notebook imports of dhlab: answers may compute with that, and with nothing else
         of dhlab.
+    course : str
+        What its notebook says to ``checks(course=...)``; part of the seed of students' numbers.
     """
 
     name: str
@@ -45,6 +47,7 @@ class Exercise:
     where: str
     parts: Mapping[str, Callable[..., Any]] = field(repr=False, compare=False)
     tools: tuple[str, ...] = ()
+    course: str = ""
 
     @property
     def is_personal(self) -> bool:
@@ -128,7 +131,7 @@ class Exercise:
         return tuple(drawn[name])
 
     def __reduce__(self) -> tuple[Callable[..., "Exercise"], tuple[Any, ...]]:
-        return exercise_from_text, (self.text, self.name, self.where, self.tools)
+        return exercise_from_text, (self.text, self.name, self.where, self.tools, self.course)
 
 
 def load_exercise(folder: Path) -> Exercise:
@@ -149,8 +152,11 @@ def load_exercise(folder: Path) -> Exercise:
     """
     path = Path(folder) / CHECKS
     text, notebook = text_of(path), path.with_name(NOTEBOOK)
-    tools = imports_from_dhlab(text_of(notebook)) if notebook.is_file() else ()
-    return exercise_from_text(text, path.resolve().parent.name, str(path), tools)
+    cells = text_of(notebook) if notebook.is_file() else ""
+    named = re.search(r"""\bchecks\([^)]*course\s*=\s*(["'])(.*?)\1""", cells)
+    course = named[2] if named else ""
+    tools = imports_from_dhlab(cells)
+    return exercise_from_text(text, path.resolve().parent.name, str(path), tools, course)
 
 
 def text_of(path: Path) -> str:
@@ -170,7 +176,7 @@ def text_of(path: Path) -> str:
 
 
 def exercise_from_text(
-    text: str, name: str, where: str = CHECKS, tools: Sequence[str] = ()
+    text: str, name: str, where: str = CHECKS, tools: Sequence[str] = (), course: str = ""
 ) -> Exercise:
     r"""Make an exercise from the text of a `checks.py`.
 
@@ -184,6 +190,8 @@ def exercise_from_text(
         What an error calls the file.
     tools : sequence of str
         What answers may use of dhlab.
+    course : str
+        What its notebook says to ``checks(course=...)``.
 
     Returns
     -------
@@ -209,7 +217,7 @@ def exercise_from_text(
     parts = {part: namespace[part] for part in known if callable(namespace.get(part))}
     if "questions" not in parts:
         raise DhlabError(f"{where} must define questions(given), which returns a list of Questions")
-    return Exercise(name, text, where, parts, tuple(tools))
+    return Exercise(name, text, where, parts, tuple(tools), course)
 
 
 def imports_from_dhlab(text: str) -> tuple[str, ...]:

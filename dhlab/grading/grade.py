@@ -47,7 +47,8 @@ class Order:
         The hidden cases are drawn from it; without one, that of the last run in `out`, or else a
         fresh one.
     course : str
-        With a student's name it gives their own numbers.
+        With a student's name it gives their own numbers; that of the exercise's notebook if it is
+        not given.
     people : Path, optional
         The list of students.
     workers : int, optional
@@ -90,6 +91,7 @@ def grade(order: Order, told: Told = lambda *_: None) -> ClassResults:
         Nothing was written then.
     """
     exercise = load_exercise(order.exercise)
+    order = replace(order, course=order.course or exercise.course)
     columns = _columns(exercise, order.course)
     people = read_people(order.people) if order.people else ()
     if order.out.resolve() == order.source.resolve():

@@ -25,6 +25,18 @@ def test_the_same_student_gets_the_same_numbers_whenever_and_however_the_name_is
     assert exercise.numbers("Ada Lovelace", "robots 2")["angle"] != ada["angle"]
 
 
+def test_the_course_is_the_one_that_the_notebook_names(folder, edit):
+    assert load_exercise(folder).course == "robots"
+    edit(
+        "exercise.py", 'checks(course="robots")', "checks(\n    raises=False, course = 'arms 2',\n)"
+    )
+    exercise = load_exercise(folder)
+    assert exercise.course == "arms 2"
+    assert pickle.loads(pickle.dumps(exercise)).course == "arms 2"
+    (folder / "exercise.py").unlink()
+    assert load_exercise(folder).course == ""
+
+
 def test_seeds_are_the_same_on_every_machine():
     digest = hashlib.sha256(b"robots\nada lovelace").hexdigest()
     assert seed_of("robots", "Ada Lovelace") == int(digest[:16], 16)

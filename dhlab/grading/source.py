@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from dhlab.errors import DhlabError
+from dhlab.grading.exercise import text_of
 
 BEGIN, END = "### BEGIN SOLUTION", "### END SOLUTION"
 MARKER = re.compile(r"^# %%(?!%)", re.MULTILINE)
@@ -28,8 +29,8 @@ class Cell:
     ----------
     kind : {'code', 'markdown'}
     source : str
-    where : str
-        File and line where it begins.
+    file : str
+        Where it was read.
     title : str
         Behind its ``# %%``; becomes the id of the notebook's cell.
     line : int
@@ -63,13 +64,12 @@ def read_cells(path: Path) -> list[Cell]:
     Raises
     ------
     DhlabError
-        There is no such file; it does not begin with a cell; a code cell is no Python.
+        There is no such file, or it is not in UTF-8; it does not begin with a cell; a code cell
+        is no Python.
     """
     import jupytext
 
-    if not path.is_file():
-        raise DhlabError(f"{path.parent} is no exercise: there is no {path.name} in it")
-    text = path.read_text("utf-8")
+    text = text_of(path)
     starts = [text.count("\n", 0, found.start()) + 2 for found in MARKER.finditer(text)]
     notebook = jupytext.reads(text, fmt="py:percent")
     if len(starts) != len(notebook.cells):

@@ -2,8 +2,8 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from itertools import permutations
-from math import degrees, radians
+from itertools import combinations, permutations
+from math import degrees, pi, radians
 
 import numpy as np
 
@@ -22,7 +22,14 @@ LENGTH_UNIT = "In which unit are the lengths asked for?"
 
 def chain_slips(chain: Chain) -> list[Slip[Table]]:
     """All slips in what is computed from a chain's table."""
-    slips = [*_numbers(chain), *_links(), _convention(chain), *_columns(), *_joints(chain)]
+    slips = [
+        *_numbers(chain),
+        *_pen(chain),
+        *_links(),
+        _convention(chain),
+        *_columns(),
+        *_joints(chain),
+    ]
     slips += _ends(chain)
     return slips + [_after(m, change) for m, change in after_slips(rotation=False)]
 
@@ -31,6 +38,7 @@ def table_slips(chain: Chain) -> list[Slip[Table]]:
     """All slips in a table, but for its being read in the other convention."""
     return [
         *_numbers(chain),
+        *_pen(chain),
         *_table_units(),
         *_links(),
         _convention(chain),
@@ -53,13 +61,6 @@ def _edit(change: Callable[[Floats], None]) -> Callable[[Table], Table]:
     return edited
 
 
-def _negate(i: int, k: int) -> Callable[[Table], Table]:
-    def change(rows: Floats) -> None:
-        rows[i, k] *= -1
-
-    return _edit(change)
-
-
 def _exchange(i: int) -> Callable[[Table], Table]:
     def change(rows: Floats) -> None:
         rows[i, [1, 2]] = rows[i, [2, 1]]
@@ -75,11 +76,45 @@ def _numbers(chain: Chain) -> Iterator[Slip[Table]]:
                 when = f"{name} in row {i + 1} has the wrong sign"
                 about = "x" if k < 2 else "z"
                 question = f"Which way along or about {about} does it go from one to the next?"
-                yield Slip(mistake(f"sign-{name}-{i + 1}", when, question), _negate(i, k))
+                yield Slip(
+                    mistake(f"sign-{name}-{i + 1}", when, question), _changed(i, k, lambda x: -x)
+                )
         if kind == "r" and row.a != row.d:
             when = f"a and d are exchanged in row {i + 1}"
             question = "Which of the two lengths lies along x, which along z?"
             yield Slip(mistake(f"a-d-{i + 1}", when, question), _exchange(i))
+
+
+def _pen(chain: Chain) -> Iterator[Slip[Table]]:
+    """Slips of the pen: a number left out, a quarter turn too much, two lengths exchanged."""
+    between = "How do the two axes lie: parallel, crossing, how far apart?"
+    for i, (row, kind) in enumerate(zip(chain.rows, chain.kinds, strict=True)):
+        for k, name in enumerate(NAMES):
+            if row[k] and k != (3 if kind == "r" else 2):
+                m = mistake(f"left-out-{name}-{i + 1}", f"{name} in row {i + 1} is 0", between)
+                yield Slip(m, _changed(i, k, lambda x: 0.0), alone=True)
+        when = f"alpha in row {i + 1} is a quarter turn off"
+        m = mistake(f"quarter-alpha-{i + 1}", when, between)
+        for quarter in (pi / 2, -pi / 2):
+            by = _changed(i, 0, lambda x, quarter=quarter: x + quarter)  # type: ignore[misc]
+            yield Slip(m, by, alone=True)
+    for i, j in combinations(range(chain.n), 2):
+        if chain.rows[i].a != chain.rows[j].a:
+            when = f"a of rows {i + 1} and {j + 1} are exchanged"
+            question = "Which length lies between which two axes?"
+            m = mistake(f"a-exchanged-{i + 1}-{j + 1}", when, question)
+
+            def exchanged(rows: Floats, i: int = i, j: int = j) -> None:
+                rows[[i, j], 1] = rows[[j, i], 1]
+
+            yield Slip(m, _edit(exchanged), alone=True)
+
+
+def _changed(i: int, k: int, change: Callable[[float], float]) -> Callable[[Table], Table]:
+    def changed(rows: Floats) -> None:
+        rows[i, k] = change(rows[i, k])
+
+    return _edit(changed)
 
 
 def _columns() -> Iterator[Slip[Table]]:

@@ -7,6 +7,7 @@ one or two, whose models give what came in every case.
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from typing import Any, Generic, TypeVar
 
 import numpy as np
@@ -28,10 +29,15 @@ NEARLY = "Nearly: some number is rounded too far. Which value of pi, or which ro
 
 @dataclass(frozen=True)
 class Slip(Generic[M]):
-    """One misconception: its name, and what it does to a model."""
+    """One misconception: its name, and what it does to a model.
+
+    One that is `alone` is not looked for together with another: it is a slip of the pen, and with
+    any other would explain too much.
+    """
 
     mistake: Mistake
     change: Callable[[M], M]
+    alone: bool = False
 
 
 Evaluate = Callable[[Sequence[M]], Sequence[Floats]]
@@ -145,7 +151,7 @@ def _singles(slips: Sequence[Slip[M]]) -> list[tuple[Slip[M], ...]]:
 
 
 def _pairs(slips: Sequence[Slip[M]]) -> list[tuple[Slip[M], ...]]:
-    return [(s, t) for i, s in enumerate(slips) for t in slips[i + 1 :]]
+    return list(combinations([s for s in slips if not s.alone], 2))
 
 
 def _all_changed(model: M, chains: Sequence[tuple[Slip[M], ...]]) -> list[M]:

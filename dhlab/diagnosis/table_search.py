@@ -44,13 +44,15 @@ def explain_table(
         found.append((convention,))
     if found:
         return unique(found)
+    together = [single for single, slip in zip(singles, slips, strict=True) if not slip.alone]
     with_convention = [
-        ((convention, *e), wrong) for e, wrong in singles if not _undoes_convention(e[0].key)
+        ((convention, *e), wrong) for e, wrong in together if not _undoes_convention(e[0].key)
     ]
+    others = [slip for slip in slips if not slip.alone]
     pairs = [
         ((*first, second.mistake), second.change(wrong))
-        for (first, wrong), k in zip(singles, range(len(slips)), strict=True)
-        for second in slips[k + 1 :]
+        for k, (first, wrong) in enumerate(together)
+        for second in others[k + 1 :]
     ]
     found = [
         *_fitting(with_convention, wanted, other, matches),
@@ -64,8 +66,8 @@ def _undoes_convention(key: str) -> bool:
     return key == "convention" or key.startswith("shifted-")
 
 
-def joint_counts(wanted: Chain, came: Chain, matches: Matches) -> Iterator[tuple[str, int]]:
-    """Which joint is left out of a table that has a row less, or doubled in one with a row more."""
+def joint_counts(wanted: Chain, came: Chain, matches: Matches) -> Iterator[tuple[str, str]]:
+    """Say which joint has no row in a table that has one less; or which row is one too many."""
     step = came.n - wanted.n
     if abs(step) != 1:
         return
@@ -77,9 +79,19 @@ def joint_counts(wanted: Chain, came: Chain, matches: Matches) -> Iterator[tuple
             rows.insert(i, rows[i])
             letters.insert(i, letters[i])
         changed = wanted.replace(rows=rows, joints=letters, offset=None, limits=None)
-        letters_fit = came.replace(joints=letters)
-        if matches(changed, letters_fit):
-            yield ("skipped" if step < 0 else "doubled", i + 1)
+        if matches(changed, came.replace(joints=letters)):
+            key, how = ("skipped", "no row") if step < 0 else ("doubled", "two rows")
+            yield f"{key}-{i + 1}", f"joint {i + 1} has {how}"
+    if step > 0:
+        for key, part, kept in (
+            ("tool-row", "what stands behind the last joint", slice(0, -1)),
+            ("base-row", "what stands before the first joint", slice(1, None)),
+        ):
+            left = came.replace(
+                rows=came.rows[kept], joints=wanted.joints, offset=came.offset[kept], limits=None
+            )
+            if matches(wanted, left):
+                yield key, f"{part} has a row of its own"
 
 
 def invariants(chain: Chain) -> Floats:

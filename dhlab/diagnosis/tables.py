@@ -87,15 +87,11 @@ class TableTask:
         return self._match(wanted, came) is not None
 
     def _other_length(self, came: Chain) -> Verdict:
-        less, way = ("fewer", "skipped") if came.n < self.chain.n else ("more", "doubled")
+        less = "fewer" if came.n < self.chain.n else "more"
         seen = f"The table has {less} rows than the mechanism has joints."
         question = "To which joint does each row belong?"
-        how = {"skipped": "joint {} has no row", "doubled": "joint {} has two rows"}[way]
-        found = [
-            (mistake(f"{way}-{i}", how.format(i), question),)
-            for way, i in joint_counts(self.chain, came, self._matches)
-        ]
-        return verdict_of(seen, found)
+        counts = joint_counts(self.chain, came, self._matches)
+        return verdict_of(seen, [(mistake(key, how, question),) for key, how in counts])
 
     def _seen(self, came: Chain) -> str:
         """Name the first axis that does not lie where the mechanism has it."""

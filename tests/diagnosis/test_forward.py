@@ -14,7 +14,7 @@ def test_mistakes_in_forward_kinematics_are_named(made, chains, tally):
     rng = np.random.default_rng(made)
     for _ in range(300 if made == 1 else 60):
         chain = chains(rng)
-        slips = chain_slips(chain)
+        slips = [s for s in chain_slips(chain) if made == 1 or not s.alone]
         chosen = [slips[k] for k in sorted(rng.choice(len(slips), made, replace=False))]
         cases = []
         for q in rng.uniform(-2, 2, (4, chain.n)):

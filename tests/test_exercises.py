@@ -75,9 +75,10 @@ def test_when_marked_the_blank_notebook_gets_nothing_and_the_answers_everything(
         )
 
     blank, solved = marked(source.released), marked(source.solved)
-    assert (blank.points, blank.status) == (0, "graded")
+    assert (blank.points, blank.status, blank.notes) == (0, "graded", ())
     assert {judged.reason for judged in blank.questions} == {"stub"}
     assert (solved.points, solved.status, solved.reason) == (solved.out_of, "graded", "")
+    assert solved.notes == ()
 
 
 @for_each()

@@ -119,3 +119,5 @@ check.show(yours_read, R_AB)
 # %% end [markdown]
 # **What you have done.** The columns of a rotation matrix are the axes of the turned frame: that is
 # all there is to remember.
+#
+# Next: [sequences of turns](../02_sequences/02_sequences.ipynb).

@@ -113,3 +113,5 @@ check.show(yours_wheel, wheel)
 # %% end [markdown]
 # **What you have done.** Own axes: the next factor to the right. Fixed axes: the next factor to the
 # left. Told from the ground up or from the wheel outwards, the product is the same.
+#
+# Next: [transforms and their inverses](../03_transforms/03_transforms.ipynb).

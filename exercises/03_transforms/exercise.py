@@ -104,3 +104,5 @@ check.show(yours_inverse, inverse_pose)
 # %% end [markdown]
 # **What you have done.** A pose holds axes and origin; its inverse holds the other frame's axes in
 # rows, and the way back told in those axes.
+#
+# Next: [a detour of frames](../04_detour/04_detour.ipynb).

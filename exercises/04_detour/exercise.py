@@ -98,3 +98,5 @@ check("camera_pose", camera_pose)
 # %% end [markdown]
 # **What you have done.** Every way from frame to frame is a product; against an arrow, take the
 # inverse. If the names next to each other do not agree, the product is nonsense.
+#
+# Next: [roll, pitch, yaw](../05_roll_pitch_yaw/05_roll_pitch_yaw.ipynb).

@@ -105,3 +105,5 @@ check.show(yours, attitude)
 # %% end [markdown]
 # **What you have done.** Three numbers need a convention to mean anything; and two triples, at
 # least, tell every orientation.
+#
+# Next: [a chain by hand](../06_chain_by_hand/06_chain_by_hand.ipynb).

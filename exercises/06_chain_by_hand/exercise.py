@@ -84,3 +84,5 @@ check.show(yours_pose, arm_pose)
 # %% end [markdown]
 # **What you have done.** A chain is a product: turn, slide, turn, slide. With sines and cosines the
 # angles must be added by hand; the product does it by itself, in three dimensions too.
+#
+# Next: [one row, one matrix](../07_dh_link/07_dh_link.ipynb).

@@ -87,3 +87,5 @@ check.show(yours, T_own)
 
 # %% end [markdown]
 # **What you have done.** A whole arm is this function, once for each joint, and a product.
+#
+# Next: [a table for a planar arm](../08_planar_table/08_planar_table.ipynb).

@@ -7,6 +7,10 @@ An exercise is a folder with `exercise.py` (the whole notebook as text, with its
 - `question`, `exercise`: what is asked; `judge`: from what came to points and a sentence
 - `check`, `tried`, `said`: the check cell
 - `source`, `build`, `trial`: from the text to the notebook, and its proof
+- `mark`: one submission; `runner`: its cells run and asked for values, which nothing trusts
+- `sandbox`, `mounts`, `syscalls`, `tools`: where they run, and what is there
+- `heard`, `watched`, `processes`: what is listened to, and the clocks
+- `asked`, `values`, `inside`: what is asked, and the way that an answer takes
 """
 
 from dhlab.grading.check import checks

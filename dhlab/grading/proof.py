@@ -1,6 +1,7 @@
 """The proof that an exercise does what it should, before students get it."""
 
 import re
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -128,7 +129,9 @@ def wrong_is_explained(source: Source, wrong: Wrong, student: str) -> None:
         if wrong.name in assigned(cell):
             run_cell(wrong.cell, names)
 
-    names = run_cells(for_student(source.solved, student), instead)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # degrees for radians warn, and so they should
+        names = run_cells(for_student(source.solved, student), instead)
     question = next(q for q in asked(source, names) if q.name == wrong.name)
     for seed in (None, 0):
         judged = judged_one(source.exercise, question, names, seed)

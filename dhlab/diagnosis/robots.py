@@ -143,10 +143,14 @@ class RobotTask:
         frames = value.get("frames")
         if not isinstance(frames, Mapping):
             raise Unreadable("The robot tells no frames: is it made by `robot_complex`?")
+        names = {
+            _last(branch.name): str(part.get("name"))
+            for branch, part in zip(self._branches(), parts, strict=True)
+        }
         for name, wanted in self.robot.frames(np.concatenate(q)).items():
             if not name.endswith("/grasper"):
                 continue
-            end = name.split("/")[-2:]
+            end = [names[name.split("/")[-2]], "grasper"]
             came = [T for key, T in frames.items() if str(key).split("/")[-2:] == end]
             if len(came) != 1:
                 raise Unreadable(f"There is no single {'/'.join(end)} among the robot's frames.")

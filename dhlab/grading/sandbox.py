@@ -11,7 +11,6 @@ import threading
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, Literal, TypeAlias, get_args
 
 from dhlab.errors import DhlabError, InputError
@@ -122,26 +121,34 @@ def started(
     """
     check_sandbox(sandbox)
     compileall.compile_dir(INSIDE, quiet=2)  # a sandbox could not keep what it compiles
-    with tempfile.TemporaryDirectory(prefix="dhlab-") as folder:
-        path = Path(folder) / "job"
-        path.write_text(json.dumps(job, allow_nan=False), "utf-8")
-        with path.open("rb") as source, _filter(sandbox) as calls:
-            path.unlink()
-            process = subprocess.Popen(
-                _bwrap(limits, room, calls) if sandbox == "bwrap" else _bare(room),
-                stdin=source,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.PIPE,
-                cwd=folder,
-                env={},
-                pass_fds=calls,
-                start_new_session=True,
-            )
+    with _scratch(sandbox) as folder, _filter(sandbox) as calls, tempfile.TemporaryFile() as source:
+        source.write(json.dumps(job, allow_nan=False).encode())
+        source.seek(0)
+        process = subprocess.Popen(
+            _bwrap(limits, room, calls) if sandbox == "bwrap" else _bare(room),
+            stdin=source,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            cwd=folder,
+            env={},
+            pass_fds=calls,
+            start_new_session=True,
+        )
         with process:
             try:
                 yield process
             finally:
                 end(process)
+
+
+@contextmanager
+def _scratch(sandbox: Sandbox) -> Iterator[str]:
+    """Yield the folder to begin in; a sandbox has one of its own, in memory."""
+    if sandbox == "bwrap":
+        yield "/"
+        return
+    with tempfile.TemporaryDirectory(prefix="dhlab-") as folder:
+        yield folder
 
 
 @contextmanager

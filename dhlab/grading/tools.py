@@ -2,6 +2,7 @@
 
 import ast
 from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[1]
@@ -16,12 +17,8 @@ def tool_modules(names: Iterable[str]) -> dict[str, str]:
     >>> tool_modules(["rotz", "View"])
     {'rotz': 'dhlab.kinematics.transforms'}
     """
-    public = {
-        alias.name: node.module
-        for node in ast.walk(_tree(PACKAGE / "__init__.py"))
-        if isinstance(node, ast.ImportFrom) and node.module
-        for alias in node.names
-    }
+    imports = _imports(Path("__init__.py"))
+    public = {name: module for module, names in imports for name in names}
     found = {name: public.get(name, "") for name in names}
     return {name: module for name, module in found.items() if module.startswith(COMPUTING)}
 
@@ -42,9 +39,7 @@ def files_of(modules: Iterable[str]) -> list[Path]:
             continue
         found.add(path)
         ahead += [parent / "__init__.py" for parent in path.parents[:-1]]
-        for node in ast.walk(_tree(PACKAGE / path)):
-            if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("dhlab."):
-                ahead.append(_file_of(node.module or ""))
+        ahead += [_file_of(m) for m, _ in _imports(path) if m.startswith("dhlab.")]
     return sorted(found)
 
 
@@ -53,5 +48,9 @@ def _file_of(module: str) -> Path:
     return path / "__init__.py" if (PACKAGE / path).is_dir() else path.with_suffix(".py")
 
 
-def _tree(path: Path) -> ast.Module:
-    return ast.parse(path.read_text("utf-8"))
+@cache
+def _imports(path: Path) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Read what a file of the package imports from where; it stays as it is while this runs."""
+    tree = ast.parse((PACKAGE / path).read_text("utf-8"))
+    nodes = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)]
+    return tuple((n.module or "", tuple(alias.name for alias in n.names)) for n in nodes)

@@ -46,7 +46,7 @@ def explain_table(
         return unique(found)
     together = [single for single, slip in zip(singles, slips, strict=True) if not slip.alone]
     with_convention = [
-        ((convention, *e), wrong) for e, wrong in together if not _undoes_convention(e[0].key)
+        ((convention, *e), wrong) for e, wrong in together if not _moves_columns(e[0].key)
     ]
     others = [slip for slip in slips if not slip.alone]
     pairs = [
@@ -61,9 +61,9 @@ def explain_table(
     return unique(found)
 
 
-def _undoes_convention(key: str) -> bool:
-    """Whether a slip moves links between rows, as reading in the other convention does."""
-    return key == "convention" or key.startswith("shifted-")
+def _moves_columns(key: str) -> bool:
+    """Whether a slip moves numbers about, as reading in the other convention does."""
+    return key == "convention" or key.startswith(("shifted-", "columns-"))
 
 
 def joint_counts(wanted: Chain, came: Chain, matches: Matches) -> Iterator[tuple[str, str]]:
@@ -145,10 +145,11 @@ def _fitting(
 
 
 def _holds_displaced(table: Table, came: Chain) -> bool:
-    """Whether numbers that other columns push to where the variables stand are there."""
-    for row, home, kind in zip(table.rows, came.home, came.joints, strict=True):
-        place = 3 if kind == "r" else 2
-        number = row[table.columns[place]]
-        if table.columns[place] != place and abs(abs(home) - abs(number)) > NEAR:
-            return False
+    """Whether the numbers that stand in other columns are there: no free choice hides them."""
+    for row, there, kind in zip(table.rows, came.rows, came.joints, strict=True):
+        variable = 3 if kind == "r" else 2
+        for place, column in enumerate(table.columns):
+            moved = column not in (place, variable)
+            if moved and abs(abs(there[place]) - abs(row[column])) > NEAR:
+                return False
     return True

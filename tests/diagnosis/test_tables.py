@@ -171,3 +171,10 @@ def test_all_lengths_in_millimetres_are_noticed_with_the_tool_among_them():
     rows = np.array(arm.rows) * [1, 1000, 1000, 1]
     came = {"rows": rows, "grasper": [100.0, 0, 0]}
     assert [m.key for m in TableTask(arm).judge([((), came)]).mistakes] == ["millimetres"]
+
+
+def test_columns_are_not_called_exchanged_where_a_free_number_would_hide_it():
+    upright = Chain([(np.pi / 2, 0, 0, 0), (0, 0.4, 0, 0), (0, 0.3, 0, 0)], "rrr")
+    flat = [(0, 0.4, 0, 0), (0, 0.3, 0, 0), (0, 0.2, 0, 0)]
+    verdict = TableTask(upright, tool_free=True).judge([((), flat)])
+    assert not [m.key for m in verdict.mistakes if m.key.startswith("columns")]

@@ -96,3 +96,5 @@ check.show(yours_upright, table_upright)
 # %% end [markdown]
 # **What you have done.** Between parallel axes there is one number to find, $a$. The last link is
 # in no row: behind it there is no axis to lead to.
+#
+# Next: [a SCARA](../09_scara/09_scara.ipynb).

@@ -72,3 +72,5 @@ check.show(yours, scara)
 # %% end [markdown]
 # **What you have done.** Along a joint that slides $d$ is the variable: the number in its row is
 # where it begins.
+#
+# Next: [six axes](../10_six_axes/10_six_axes.ipynb).

@@ -94,3 +94,5 @@ check.show(yours_wrist, table)
 # %% end [markdown]
 # **What you have done.** Where axes meet, $a = 0$; where they are parallel, $\alpha = 0$; where
 # they do neither, both numbers are there. That is the whole craft.
+#
+# Next: [the other convention](../11_two_conventions/11_two_conventions.ipynb).

@@ -122,3 +122,5 @@ check.show(yours_second, to_standard)
 # %% end [markdown]
 # **What you have done.** Between the conventions all `alpha` and `a` move by one row, and the one
 # that falls out goes into the base or into the grasper. `d` and `theta` stay.
+#
+# Next: [base, tool and offset](../12_base_tool_offset/12_base_tool_offset.ipynb).

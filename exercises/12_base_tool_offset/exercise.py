@@ -116,3 +116,5 @@ check.show(yours_arm, arm)
 # %% end [markdown]
 # **What you have done.** $T_{WT} = T_{W0}\, T_{03}(q + \text{offset})\, T_{3T}$: three things
 # around the table, and not a number of the table has changed.
+#
+# Next: [where the fingertip is](../13_finger/13_finger.ipynb).

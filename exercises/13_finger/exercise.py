@@ -119,3 +119,5 @@ check.show(yours_thumb, thumb_in_hand)
 
 # %% end [markdown]
 # **What you have done.** Base, one factor a joint, tip: forward kinematics of every chain there is.
+#
+# Next: [a hand](../14_hand/14_hand.ipynb).

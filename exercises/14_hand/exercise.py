@@ -113,3 +113,5 @@ check.show(yours_hand, hand)
 # %% end [markdown]
 # **What you have done.** A table describes one chain. A hand is five of them, and each has a base
 # of its own.
+#
+# Next: [a cubic from rest to rest](../15_cubic/15_cubic.ipynb).

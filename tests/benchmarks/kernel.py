@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
+from uuid import uuid4
 
 import zmq
 from jupyter_client.blocking import BlockingKernelClient
@@ -30,8 +31,9 @@ class Kernel:
         self._said = said
 
     def run(self, code: str) -> str:
-        """Run a cell; return what it prints."""
+        """Run a cell, as a page does, which names it; return what it prints."""
         printed: list[str] = []
+        self._client.session.metadata = {"cellId": uuid4().hex}
 
         def note(message: dict[str, Any]) -> None:
             if message["msg_type"] == "stream":

@@ -13,7 +13,7 @@ from rows import Row, median
 from dhlab import View, animate
 from dhlab.models import upper_limb
 
-ROUNDS = 5
+ROUNDS = 4
 SECONDS = 4
 MOTION = (
     "import numpy as np\n"

@@ -11,17 +11,17 @@ from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from dataclasses import dataclass
 from itertools import islice
-from typing import Literal, TypeAlias
+from typing import TypeAlias
 
 from dhlab.errors import InputError
 from dhlab.grading.exercise import Exercise
 from dhlab.grading.mark import Marked, mark_cells
 from dhlab.grading.plain import one_line
 from dhlab.grading.results import Row, row_of
+from dhlab.grading.sandbox import Sandbox, SandboxError
 from dhlab.grading.submissions import Submission
 from dhlab.grading.whose import is_same_person
 
-Sandbox: TypeAlias = Literal["bwrap", "none"]
 TYPED = re.compile(r"""^STUDENT\s*=\s*(?P<quote>["'])(?P<name>.*?)(?P=quote)""", re.MULTILINE)
 
 
@@ -172,6 +172,8 @@ def _outcome(future: Future[Marked], job: Job) -> Row | None:
         marked = future.result()
     except BrokenExecutor:
         return None
+    except SandboxError:
+        raise  # then nobody can be marked
     except Exception as error:
         return _failed(job, f"{type(error).__name__}: {error}")
     return row_of(marked, job.submission.student, job.submission.where, job.sha256, job.odd)

@@ -11,11 +11,13 @@ from datetime import UTC, datetime
 from functools import partial
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from dhlab.errors import InputError
-from dhlab.grading.batch import Job, Marker, Sandbox, mark_class, prepared
+from dhlab.grading.asked import Ask
+from dhlab.grading.batch import Job, Marker, mark_class, prepared
 from dhlab.grading.entries import handed_in
 from dhlab.grading.executors import Workers, dask_workers, local_workers
 from dhlab.grading.exercise import CHECKS, Exercise, load_exercise
@@ -24,11 +26,16 @@ from dhlab.grading.journal import Journal, earlier_rows
 from dhlab.grading.reports import GRADES, write_reports
 from dhlab.grading.results import ClassResults, Column, Row, Run
 from dhlab.grading.roster import read_people
-from dhlab.grading.sandbox import check_sandbox
+from dhlab.grading.runner import run_cells
+from dhlab.grading.sandbox import Sandbox
 from dhlab.grading.submissions import Submission, find_submissions
 
 Told = Callable[[int, int, int], None]
 """Hears how many submissions are done, how many there are, and how many were marked before."""
+
+
+TRIAL: tuple[tuple[str, ...], tuple[Ask, ...], dict[str, Any]] = (("x = 1",), (Ask("x"),), {})
+"""What is run before anybody is marked, to see whether the sandbox works."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +107,7 @@ def grade(order: Order, told: Told = lambda *_: None) -> ClassResults:
     run = _run(order, exercise, before)
     kept = {row.student: row for row in earlier if before == run and not row.failed}
     with _workers(order) as workers, handed_in(order.source, skip=order.out) as entries:
-        workers.everywhere(partial(check_sandbox, order.sandbox))
+        workers.everywhere(partial(run_cells, *TRIAL, sandbox=order.sandbox))
         submissions = find_submissions(entries, exercise.name, _others(order.exercise), people)
         if not submissions:
             raise InputError(f"there is no submission in {str(order.source)!r}")
@@ -168,12 +175,11 @@ def _marked(
 def _run(order: Order, exercise: Exercise, before: Run | None) -> Run:
     """Say what the marks depend on; an earlier run's seed goes on where none is asked for."""
     seed = order.seed
+    if seed is None and before is not None:
+        same = (before.exercise, before.course) == (exercise.name, order.course)
+        seed = before.seed if same else None
     if seed is None:
-        same = before is not None and (before.exercise, before.course) == (
-            exercise.name,
-            order.course,
-        )
-        seed = before.seed if before is not None and same else secrets.randbelow(2**32)
+        seed = secrets.randbelow(2**32)
     digest = hashlib.sha256(exercise.text.encode()).hexdigest()
     versions = {"dhlab": _version(), "numpy": np.__version__, "python": platform.python_version()}
     return Run(exercise.name, digest, order.course, seed, order.sandbox, versions)

@@ -1,4 +1,4 @@
-"""An exercise of two questions, and a class of thirty who answered it in every way there is."""
+"""An exercise of two questions, and a class of forty who answered it in every way there is."""
 
 import json
 import random
@@ -83,13 +83,47 @@ def answered(name, kind="right"):
 
 
 def broken():
-    """Name -> bytes of what cannot be read."""
+    """File name -> bytes of what cannot be read."""
     whole = answered("x").encode()
     return {
-        "Cut Off": whole[: len(whole) // 2],
-        "Merge Conflict": b"<<<<<<< HEAD\n" + whole + b"\n=======\n>>>>>>> mine\n",
-        "Nothing There": b"",
-        "Png Picture": b"\x89PNG\r\n\x1a\n" + bytes(100),
+        "Cut Off.ipynb": whole[: len(whole) // 2],
+        "Merge Conflict.ipynb": b"<<<<<<< HEAD\n" + whole + b"\n=======\n>>>>>>> mine\n",
+        "Nothing There.ipynb": b"",
+        "Png Picture.ipynb": b"\x89PNG\r\n\x1a\n" + bytes(100),
+        "Some Text.ipynb": b"I could not open the notebook.",
+        "Another Json.ipynb": b'{"name": "x"}',
+        "Web Page.ipynb": b"<!DOCTYPE html><title>Sign in</title>",
+        "Packed.zip": b"PK\x03\x04" + bytes(100),
+    }
+
+
+def odd():
+    """File name -> bytes of what is unusual, and right."""
+
+    def changed(name, change, encoding="utf-8"):
+        document = json.loads(answered(name))
+        return json.dumps(change(document), ensure_ascii=False).encode(encoding)
+
+    def old(document):
+        cells = [{"cell_type": "code", "input": c["source"]} for c in document["cells"]]
+        return {"nbformat": 3, "worksheets": [{"cells": cells}]}
+
+    def loud(document):
+        for cell in document["cells"]:
+            cell["outputs"] = [{"output_type": "stream", "text": ["x" * 1000] * 2000}]
+        return document
+
+    julia = {"kernelspec": {"name": "julia-1.9", "language": "julia"}}
+    return {
+        "Latin Öne.ipynb": changed("Latin Öne", lambda d: d, "latin-1"),
+        "Format Three.ipynb": changed("Format Three", old),
+        "Format Later.ipynb": changed("Format Later", lambda d: d | {"nbformat": 99}),
+        "No Metadata.ipynb": changed("No Metadata", lambda d: {"cells": d["cells"]}),
+        "Other Kernel.ipynb": changed("Other Kernel", lambda d: d | {"metadata": julia}),
+        "Cells Twice.ipynb": changed("Cells Twice", lambda d: d | {"cells": d["cells"] * 2}),
+        "Much Output.ipynb": changed("Much Output", loud),
+        "Other Ending.ipynb.txt": answered("Other Ending").encode(),
+        f"Named Longer_{NAME}.ipynb": answered("Named Longer").encode(),
     }
 
 
@@ -108,10 +142,11 @@ def write_class(folder, seed=1):
     there = dict(zip(NAMES, kinds, strict=True))
     for name, kind in there.items():
         (folder / f"{name}.ipynb").write_text(answered(name, kind), "utf-8")
-    for name, content in broken().items():
-        (folder / f"{name}.ipynb").write_bytes(content)
+    for name, content in {**broken(), **odd()}.items():
+        (folder / name).write_bytes(content)
     (folder / "Symbolic Link.ipynb").symlink_to("/etc/passwd")
     for copy in ("Two Versions.ipynb", "Two Versions-Copy1.ipynb"):
         (folder / copy).write_text(answered("Two Versions"))
-    rest = [*broken(), "Symbolic Link", "Two Versions"]
+    there |= {name.split(".")[0].split("_")[0]: "right" for name in odd()}
+    rest = [*(name.split(".")[0] for name in broken()), "Symbolic Link", "Two Versions"]
     return there | dict.fromkeys(rest, "unreadable")

@@ -1,7 +1,6 @@
 /**
- * Labels that would be written onto each other, as the names of two frames that stand in one
- * place, are written one below the other. Each goes as far as it must and no further; those that
- * only touch stay where they are.
+ * Labels that would be written onto each other, as the names of two frames in one place, are
+ * written one below the other. Each goes as far as it must; those that only touch stay.
  */
 import { THREE } from "./meshcat.js";
 

@@ -4,16 +4,13 @@
  */
 import { Camera, DIRECTIONS } from "./camera.js";
 import { Film, filmKind } from "./film.js";
+import { createFrame } from "./frame.js";
 import { createMeshcat, THREE } from "./meshcat.js";
 import { PlayerBar } from "./playerbar.js";
 import { download, savePicture } from "./saving.js";
-import { STYLE } from "./style.js";
 import { Surroundings, contrastOf, paintBackground, paintOf } from "./surroundings.js";
 import { actionOfKey, createToolbar } from "./toolbar.js";
 import { Tree } from "./tree.js";
-
-const LOST = "The browser has taken this picture's graphics memory. It comes back by itself; \
-if not, show the view again.";
 
 export class Stage {
   #frame = null;
@@ -193,25 +190,10 @@ export class Stage {
   }
 
   #build(element, height) {
-    this.element = document.createElement("div");
-    this.element.className = "dhlab-view";
-    this.element.tabIndex = 0;
-    this.element.setAttribute("role", "figure");
-    this.element.setAttribute("aria-label", "Scene in three dimensions");
-    this.element.setAttribute("data-lm-suppress-shortcuts", "true");
-    this.element.style.height = `${height}px`;
-    const style = Object.assign(document.createElement("style"), { textContent: STYLE });
-    this.pane = document.createElement("div");
-    this.pane.className = "dhlab-pane";
-    this.caption = document.createElement("div");
-    this.caption.className = "dhlab-caption";
-    this.notice = document.createElement("div");
-    this.notice.className = "dhlab-notice";
-    this.notice.textContent = LOST;
-    this.notice.hidden = true;
+    Object.assign(this, createFrame(height)); // element, pane, caption, notice
     this.playerBar = new PlayerBar(filmKind() && (() => this.film()));
     const toolbar = createToolbar((name) => this.act(name));
-    this.element.append(style, this.pane, this.playerBar.element, this.caption, toolbar, this.notice);
+    this.element.append(this.pane, this.playerBar.element, this.caption, toolbar, this.notice);
     element.append(this.element);
   }
 

@@ -315,26 +315,6 @@ def test_a_view_follows_though_anywidget_has_given_up_waiting_for_it(notebook, s
     notebook.execute("late.close()")
 
 
-def test_a_cell_run_thirty_times_keeps_one_view(notebook, shown):
-    index = notebook.evaluate("() => jupyterapp.shell.currentWidget.content.model.cells.length")
-    scenes = "sum(type(w).__name__ == 'SceneWidget' for w in " + WIDGETS + ")"
-    count = int(notebook.value(scenes))
-    notebook.run("again = show(box, name='again', height=120)\nagain")
-    notebook.messages.clear()
-    for _ in range(30):
-        notebook.run_cell(index)
-    again = notebook.view("again")
-    again.wait_until("view.stages.length === 1")
-    page = 'globalThis[Symbol.for("dhlab.page")]'
-    notebook.page.wait_for_function(
-        f"() => {page}.views.filter(v => v.name === 'again').length === 1"
-    )
-    assert int(notebook.value(scenes)) == count + 1
-    assert near(again.pixels(), ORANGE).mean() > 0.02
-    assert near(shown.pixels(), ORANGE).mean() > 0.02
-    assert not [text for text in notebook.messages if "context" in text.lower()]
-
-
 def test_a_page_loaded_again_and_a_second_page_show_the_present_scene(
     notebook, shown, open_notebook
 ):

@@ -4,7 +4,9 @@
  */
 import { encode } from "./encode.js";
 import { keepPresent } from "./keeping.js";
+import { followKernel } from "./lifeline.js";
 import { multiply } from "./motion.js";
+import { createBlank, hasGraphics } from "./notice.js";
 import { sharedPage } from "./page.js";
 import { Scene } from "./scene.js";
 import { Stage } from "./stage.js";
@@ -17,6 +19,9 @@ export class Connection {
   #asked = 0;
   #complained = false;
   #films = [];
+  #ended = false;
+  /** Promises of ways to let go of the widget's model. */
+  #ties;
   #reload = () => this.#load();
 
   constructor(model) {
@@ -27,7 +32,11 @@ export class Connection {
     this.#load();
     this.#model.send({ ask: "scene", have: this.scene.sequence });
     model.on("change:scene", this.#reload);
-    keepPresent(model, () => ({ scene: encode(this.scene) })).catch(() => {});
+    const present = () => ({ scene: encode(this.scene) });
+    this.#ties = [
+      keepPresent(model, present, { scene: new DataView(new ArrayBuffer(0)) }),
+      followKernel(model, (lives) => this.#kernelLives(lives)),
+    ].map((tie) => tie.catch(() => () => {})); // a page without widgets has none
     sharedPage().views.push(this);
   }
 
@@ -43,15 +52,31 @@ export class Connection {
 
   /** Show the scene in `element`; close what comes back when the output goes. */
   open(element, options) {
-    const stage = new Stage(this.scene, element, { name: this.name, ...options });
-    this.stages.push(stage);
-    for (const number of this.#films.splice(0)) this.#film(number);
-    return {
-      close: () => {
-        this.stages.splice(this.stages.indexOf(stage), 1);
-        stage.close();
-      },
+    let stage = null;
+    const close = () => {
+      this.stages.splice(this.stages.indexOf(stage), 1);
+      stage.close();
     };
+    const again = () => {
+      const { background } = stage;
+      close();
+      draw({ ...options, background });
+    };
+    const draw = (wanted) => {
+      stage = new Stage(this.scene, element, { name: this.name, ...wanted, again });
+      stage.ended.hidden = !this.#ended;
+      this.stages.push(stage);
+      for (const number of this.#films.splice(0)) this.#film(number);
+    };
+    try {
+      draw(options);
+    } catch (error) {
+      if (hasGraphics()) throw error;
+      const blank = createBlank(options.height);
+      element.append(blank);
+      return { close: () => blank.remove() };
+    }
+    return { close };
   }
 
   /** Pose in the world of the node at `path` as three.js has it: 16 numbers, row by row. */
@@ -67,10 +92,16 @@ export class Connection {
 
   close() {
     this.#model.off("change:scene", this.#reload);
+    for (const tie of this.#ties) tie.then((letGo) => letGo());
     for (const stage of this.stages.splice(0)) stage.close();
     this.scene.close();
     const { views } = sharedPage();
     views.splice(views.indexOf(this), 1);
+  }
+
+  #kernelLives(lives) {
+    this.#ended = !lives;
+    for (const stage of this.stages) stage.ended.hidden = lives;
   }
 
   #load() {

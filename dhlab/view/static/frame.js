@@ -1,22 +1,21 @@
-/** The elements around one picture: the place of its canvas, its caption and its notice. */
+/** The element of one output of a view: a pane for the canvas, and room for the bars over it. */
 import { STYLE } from "./style.js";
 
-const LOST = "The browser has taken this picture's graphics memory. It comes back by itself; \
-if not, show the view again.";
-
-/** Elements of a picture `height` pixels high; whoever takes them puts them into `element`. */
 export function createFrame(height) {
-  const element = create("dhlab-view", { tabIndex: 0 });
+  const element = create("dhlab-view");
+  element.tabIndex = 0;
   element.setAttribute("role", "figure");
   element.setAttribute("aria-label", "Scene in three dimensions");
   element.setAttribute("data-lm-suppress-shortcuts", "true");
   element.style.height = `${height}px`;
-  element.append(Object.assign(document.createElement("style"), { textContent: STYLE }));
-  const [pane, caption] = [create("dhlab-pane"), create("dhlab-caption")];
-  const notice = create("dhlab-notice", { textContent: LOST, hidden: true });
-  return { element, pane, caption, notice };
+  const style = document.createElement("style");
+  style.textContent = STYLE;
+  const pane = create("dhlab-pane");
+  const caption = create("dhlab-caption");
+  element.append(style, pane);
+  return { element, pane, caption };
 }
 
-function create(className, more) {
-  return Object.assign(document.createElement("div"), { className }, more);
+function create(name) {
+  return Object.assign(document.createElement("div"), { className: name });
 }

@@ -11,7 +11,8 @@ export const THREE = sharedPage().meshcat.THREE;
 export function createMeshcat(pane, changed) {
   const renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
   pane.append(renderer.domElement);
-  const { viewer, listeners } = constructAside(pane, renderer);
+  const listeners = [];
+  const viewer = noting(listeners, () => new (sharedPage().meshcat.Viewer)(pane, false, renderer));
   const setSize = viewer.set_3d_pane_size.bind(viewer);
   viewer.set_3d_pane_size = (width = pane.clientWidth, height = pane.clientHeight) =>
     setSize(Math.max(width, 1), Math.max(height, 1));
@@ -19,10 +20,16 @@ export function createMeshcat(pane, changed) {
     viewer.needs_render = true;
     changed();
   };
-  for (const path of ["Lights", "Grid", "Axes", "Background"]) viewer.delete_path([path]);
-  viewer.hide_background();
+  noting(listeners, () => {
+    for (const path of ["Lights", "Grid", "Axes", "Background"]) viewer.delete_path([path]);
+    viewer.hide_background();
+  });
   return {
     viewer,
+    /** Show a three.js object in the viewer's scene, whose z is up. */
+    show(name, object) {
+      noting(listeners, () => viewer.set_object([name], object));
+    },
     dispose() {
       for (const [type, listener, options] of listeners) {
         window.removeEventListener(type, listener, options);
@@ -38,9 +45,8 @@ export function createMeshcat(pane, changed) {
   };
 }
 
-/** Construct the viewer and note what it hangs on the window, which it never takes off again. */
-function constructAside(pane, renderer) {
-  const listeners = [];
+/** Act, and note what it hangs on the window: the viewer's folders never take it off again. */
+function noting(listeners, act) {
   const listen = window.addEventListener;
   const before = window.onload;
   window.addEventListener = function (...what) {
@@ -48,8 +54,7 @@ function constructAside(pane, renderer) {
     return listen.apply(window, what);
   };
   try {
-    const viewer = new (sharedPage().meshcat.Viewer)(pane, false, renderer);
-    return { viewer, listeners };
+    return act();
   } finally {
     delete window.addEventListener;
     if (window.addEventListener !== listen) window.addEventListener = listen;

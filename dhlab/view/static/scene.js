@@ -67,7 +67,7 @@ export class Scene {
   close() {
     this.#leave();
     this.#motions.close();
-    this.observers.clear();
+    for (const kept of [this.observers, this.nodes, this.paths, this.geometry, this.#joints]) kept.clear();
   }
 
   #check(batch) {

@@ -5,12 +5,19 @@
 import { Camera, DIRECTIONS } from "./camera.js";
 import { Film, filmKind } from "./film.js";
 import { createFrame } from "./frame.js";
+import { Graphics } from "./graphics.js";
 import { createMeshcat, THREE } from "./meshcat.js";
+import { createNotice } from "./notice.js";
 import { PlayerBar } from "./playerbar.js";
 import { download, savePicture } from "./saving.js";
 import { Surroundings, contrastOf, paintBackground, paintOf } from "./surroundings.js";
 import { actionOfKey, createToolbar } from "./toolbar.js";
 import { Tree } from "./tree.js";
+
+const LOST = "The browser has taken this picture's graphics memory.";
+const ENDED = "The kernel behind this picture has ended. Run the cell again.";
+/** How far out of sight a view still draws [CSS], so that it is there when it comes. */
+const NEAR = "150px";
 
 export class Stage {
   #frame = null;
@@ -25,13 +32,19 @@ export class Stage {
   #observers = [];
   #film = null;
 
-  constructor(scene, element, { name, height, background, grid, controls }) {
+  constructor(scene, element, { name, height, background, grid, controls, again }) {
     this.scene = scene;
     this.name = name;
-    this.#build(element, height);
+    this.#build(height, again);
     this.meshcat = createMeshcat(this.pane, () => this.draw());
+    element.append(this.element);
     this.viewer = this.meshcat.viewer;
     this.canvas = this.viewer.renderer.domElement;
+    this.graphics = new Graphics(
+      this.viewer.renderer,
+      (lost) => this.#graphicsLost(lost),
+      () => this.#film !== null,
+    );
     if (!controls) this.viewer.gui.domElement.style.display = "none";
     this.camera = new Camera(this.viewer, () => (this.#touched = true));
     this.surroundings = new Surroundings(this.viewer.scene, this.viewer.renderer);
@@ -39,7 +52,7 @@ export class Stage {
     this.caption.hidden = !grid;
     const ratio = Math.max(2, Math.min(window.devicePixelRatio || 1, 3));
     this.tree = new Tree(scene, { contrast: contrastOf(background), ratio });
-    this.viewer.set_object(["dhlab"], this.tree.root);
+    this.meshcat.show("dhlab", this.tree.root);
     this.setBackground(background);
     this.#watch();
     this.#resize();
@@ -100,7 +113,7 @@ export class Stage {
 
   render() {
     if (!this.#sized) this.#resize();
-    if (!this.#sized) return;
+    if (!this.#sized || this.graphics.away) return;
     this.#measure();
     const center = this.#box.isEmpty() ? new THREE.Vector3() : this.#box.getCenter(new THREE.Vector3());
     const radius = this.#box.isEmpty() ? 1 : 0.5 * this.#box.getSize(new THREE.Vector3()).length();
@@ -177,6 +190,7 @@ export class Stage {
 
   close() {
     this.#film?.end();
+    this.graphics.close();
     this.#inSight = false;
     this.scene.observers.delete(this);
     if (this.#frame !== null) cancelAnimationFrame(this.#frame);
@@ -189,28 +203,27 @@ export class Stage {
     this.element.remove();
   }
 
-  #build(element, height) {
-    Object.assign(this, createFrame(height)); // element, pane, caption, notice
+  #build(height, again) {
+    Object.assign(this, createFrame(height));
+    this.notice = createNotice("lost", LOST, "Draw it again", again);
+    this.ended = createNotice("ended", ENDED);
     this.playerBar = new PlayerBar(filmKind() && (() => this.film()));
     const toolbar = createToolbar((name) => this.act(name));
-    this.element.append(this.pane, this.playerBar.element, this.caption, toolbar, this.notice);
-    element.append(this.element);
+    const bars = [this.playerBar.element, this.caption, toolbar, this.ended];
+    this.element.append(...bars, this.notice);
   }
 
   #watch() {
     const size = new ResizeObserver(() => this.#resize());
     size.observe(this.pane);
-    const sight = new IntersectionObserver(([entry]) => {
-      this.#inSight = entry.isIntersecting;
+    const look = (entries) => {
+      this.#inSight = entries.at(-1).isIntersecting;
+      this.graphics.seen(this.#inSight);
       this.draw();
-    });
+    };
+    const sight = new IntersectionObserver(look, { rootMargin: NEAR, scrollMargin: NEAR });
     sight.observe(this.element);
     this.#observers.push(size, sight);
-    this.canvas.addEventListener("webglcontextlost", () => (this.notice.hidden = false));
-    this.canvas.addEventListener("webglcontextrestored", () => {
-      this.notice.hidden = true;
-      this.changed();
-    });
     this.element.addEventListener("keydown", (event) => this.#key(event));
     this.element.addEventListener("pointerdown", ({ target }) => {
       if (target === this.canvas) this.element.focus({ preventScroll: true });
@@ -222,6 +235,11 @@ export class Stage {
       },
       { capture: true },
     );
+  }
+
+  #graphicsLost(lost) {
+    this.notice.hidden = !lost;
+    if (!lost) this.changed();
   }
 
   #key(event) {

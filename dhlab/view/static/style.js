@@ -51,8 +51,15 @@ export const STYLE = `
 }
 .dhlab-player:not([hidden]) ~ .dhlab-caption { bottom: 48px; }
 .dhlab-notice {
-  position: absolute; inset: 0; display: grid; place-content: center; padding: 24px;
-  text-align: center; background: var(--panel);
+  position: absolute; inset: 0; display: grid; place-content: center; justify-items: center;
+  gap: 8px; padding: 24px; text-align: center; background: var(--panel);
+}
+.dhlab-ended {
+  inset: 46px auto auto 8px; max-width: calc(100% - 40px); padding: 4px 8px; text-align: left;
+  border: 1px solid var(--line); border-radius: 6px; pointer-events: none;
+}
+.dhlab-view button.dhlab-word {
+  width: auto; height: auto; padding: 3px 10px; border: 1px solid var(--line);
 }
 .dhlab-notice[hidden] { display: none; }
 .dhlab-view .dg.main { z-index: 2; top: 42px !important; right: 8px !important; }

@@ -57,7 +57,7 @@ def test_modules_are_short(name):
 
 
 def test_the_viewer_is_small_beside_the_bundle_it_hosts():
-    assert len(assets.viewer()) < 100_000
+    assert len(assets.viewer()) < 125_000
     assert 500_000 < len(assets.meshcat()) < 2_000_000
 
 

@@ -16,6 +16,17 @@ export function createFrame(height) {
   return { element, pane, caption };
 }
 
+/** A press on the picture gives it the focus; without it the wheel belongs to the page. */
+export function mindFocus(element, canvas) {
+  element.addEventListener("pointerdown", ({ target }) => {
+    if (target === canvas) element.focus({ preventScroll: true });
+  });
+  const leave = (event) => {
+    if (!element.matches(":focus-within, :fullscreen")) event.stopPropagation();
+  };
+  element.addEventListener("wheel", leave, { capture: true });
+}
+
 function create(name) {
   return Object.assign(document.createElement("div"), { className: name });
 }

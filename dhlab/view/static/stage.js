@@ -4,7 +4,7 @@
  */
 import { Camera, DIRECTIONS } from "./camera.js";
 import { Film, filmKind } from "./film.js";
-import { createFrame } from "./frame.js";
+import { createFrame, mindFocus } from "./frame.js";
 import { Graphics } from "./graphics.js";
 import { createMeshcat, THREE } from "./meshcat.js";
 import { createNotice } from "./notice.js";
@@ -225,16 +225,7 @@ export class Stage {
     sight.observe(this.element);
     this.#observers.push(size, sight);
     this.element.addEventListener("keydown", (event) => this.#key(event));
-    this.element.addEventListener("pointerdown", ({ target }) => {
-      if (target === this.canvas) this.element.focus({ preventScroll: true });
-    });
-    this.element.addEventListener(
-      "wheel",
-      (event) => {
-        if (!this.element.matches(":focus-within, :fullscreen")) event.stopPropagation();
-      },
-      { capture: true },
-    );
+    mindFocus(this.element, this.canvas);
   }
 
   #graphicsLost(lost) {

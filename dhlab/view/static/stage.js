@@ -16,8 +16,7 @@ import { Tree } from "./tree.js";
 
 const LOST = "The browser has taken this picture's graphics memory.";
 const ENDED = "The kernel behind this picture has ended. Run the cell again.";
-/** How far out of sight a view still draws [CSS], so that it is there when it comes. */
-const NEAR = "150px";
+const NEAR = "150px"; // a view so far out of sight still draws, so that it is there when it comes
 
 export class Stage {
   #frame = null;
@@ -209,8 +208,7 @@ export class Stage {
     this.ended = createNotice("ended", ENDED);
     this.playerBar = new PlayerBar(filmKind() && (() => this.film()));
     const toolbar = createToolbar((name) => this.act(name));
-    const bars = [this.playerBar.element, this.caption, toolbar, this.ended];
-    this.element.append(...bars, this.notice);
+    this.element.append(this.playerBar.element, this.caption, toolbar, this.ended, this.notice);
   }
 
   #watch() {

@@ -152,7 +152,7 @@ class Handle:
         with CHANGES:
             nodes = self._nodes(name)
             if self._parent is not None:
-                nodes[name] = nodes[name]._replace(pose=self.world_pose)
+                nodes[name] = self._alone(nodes[name])
             for number, handle in enumerate(self.walk()):
                 if not handle._marks:
                     continue
@@ -179,6 +179,10 @@ class Handle:
     def _nodes(self, path: str) -> dict[str, Node]:
         """Nodes of this handle below `path`, the first with its pose in its parent."""
         raise NotImplementedError
+
+    def _alone(self, node: Node) -> Node:
+        """Return this handle's first node as it stands in the world, not in what carries it."""
+        return node._replace(pose=self.world_pose)
 
     def _store(self, checked: Mapping[str, Any]) -> None:
         """Keep checked values; the lock is held."""

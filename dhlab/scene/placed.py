@@ -7,7 +7,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from dhlab.arrays import as_placement, as_poses
+from dhlab.arrays import as_placement, as_poses, read_only
 from dhlab.scene.handle import Handle
 from dhlab.scene.marks import Trail
 from dhlab.scene.node import IDENTITY, Clock, Color, Curve, Node
@@ -23,7 +23,7 @@ class Placed(Handle):
     name : str, optional
     """
 
-    __slots__ = ("_curve", "_pose")
+    __slots__ = ("_curve", "_curve_alone", "_pose")
 
     pose: Setting[NDArray[np.float64]] = Setting(
         as_placement,
@@ -35,6 +35,7 @@ class Placed(Handle):
         super().__init__(name)
         self._pose = IDENTITY
         self._curve: Curve | None = None
+        self._curve_alone: tuple[Curve, NDArray[np.float64], Curve] | None = None
 
     def move(self, T: ArrayLike) -> Self:
         """Set the pose; relative motion is written out.
@@ -97,6 +98,21 @@ class Placed(Handle):
         super()._store(checked)
         if "pose" in checked:
             self._curve = None
+
+    def _alone(self, node: Node) -> Node:
+        """Return a node as it stands in the world, and as it moves there.
+
+        The motion is kept for as long as it is the same, so that it is sent once.
+        """
+        curve = node.curve
+        if curve is None or self._parent is None:
+            return super()._alone(node)
+        carrier = self._parent.carries_at(self)
+        kept = self._curve_alone
+        if kept is None or kept[0] is not curve or not np.array_equal(kept[1], carrier):
+            kept = (curve, carrier, curve._replace(samples=read_only(carrier @ curve.samples)))
+            self._curve_alone = kept
+        return node._replace(pose=self.world_pose, curve=kept[2])
 
     def _own_node(self) -> Node:
         """Return the node that all other nodes of this handle hang on."""

@@ -7,20 +7,55 @@ joint. A motion that leaves the next screw where it is waits (it commutes with t
 later screw or the tip settles it.
 """
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from itertools import product
+from typing import Protocol
 
 import numpy as np
 
 from dhlab.diagnosis.values import Floats, inverted
 from dhlab.diagnosis.waiting import State, reach, settle
-from dhlab.kinematics.chain import Chain
-from dhlab.kinematics.dh import joint_motion
+from dhlab.kinematics.dh import JointKind, joint_motion
 from dhlab.kinematics.transforms import pose_of
 
 TOLERANCE = 1e-5
 """Room for numbers such as 1.5708: lengths in m, angles in rad."""
+
+
+class Moving(Protocol):
+    """Joints one after the other, with constant poses between them: such as a `Chain`."""
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+
+    @property
+    def joints(self) -> str:
+        """A letter each."""
+
+    @property
+    def kinds(self) -> tuple[JointKind, ...]:
+        """The letters one by one."""
+
+    @property
+    def offset(self) -> Floats:
+        """What is added to the variables."""
+
+    @property
+    def base(self) -> Floats:
+        """Pose before the first joint."""
+
+    @property
+    def grasper(self) -> Floats:
+        """Pose behind the last joint."""
+
+    @property
+    def constants(self) -> tuple[tuple[Floats, Floats], ...]:
+        """Poses before and behind each joint."""
+
+    def tip(self, q: Floats) -> Floats:
+        """Pose of the tip, shape (..., 4, 4)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,23 +87,26 @@ class Match:
 
 
 def match(
-    wanted: Chain,
-    came: Chain,
+    wanted: Moving,
+    came: Moving,
     base_free: bool = False,
     tool_free: bool = False,
     zero_free: bool = True,
     tolerance: float = TOLERANCE,
+    fixed: Collection[int] = (),
 ) -> Match | None:
     """Find how the joints of `came` must be renamed to move its tip as `wanted` does.
 
     Parameters
     ----------
-    wanted, came : Chain
+    wanted, came : Chain, or another that is `Moving`
     base_free, tool_free : bool
         Whether a constant pose may stand before, or behind.
     zero_free : bool
         Whether joints may have other zeros.
     tolerance : float [rad or m]
+    fixed : collection of int
+        Joints, from 0, that keep their names: neither sense nor zero may differ.
 
     Returns
     -------
@@ -86,8 +124,9 @@ def match(
     else:
         starts = _free_starts(A, B, tolerance) if base_free else iter([_start(A)])
         tool_known, flip = not tool_free, False
+    kept = {wanted.n - 1 - i if flip else i for i in fixed}
     for start in starts:
-        for end in _walk(A, B, start, tool_known, zero_free, tolerance):
+        for end in _walk(A, B, start, tool_known, zero_free, tolerance, kept):
             signs, offsets = np.array(end.signs), end.offsets
             if flip:
                 signs, offsets = signs[::-1], offsets[::-1]
@@ -98,7 +137,7 @@ def match(
     return None
 
 
-def screws(chain: Chain, q: Floats) -> Screws:
+def screws(chain: Moving, q: Floats) -> Screws:
     """Screws of a chain at a configuration."""
     previous, u, p = chain.base, [], []
     variables = q + chain.offset
@@ -169,7 +208,13 @@ def _axes(u: Floats, v: Floats) -> Floats:
 
 
 def _walk(
-    A: Screws, B: Screws, state: State, tool_known: bool, zero_free: bool, tol: float
+    A: Screws,
+    B: Screws,
+    state: State,
+    tool_known: bool,
+    zero_free: bool,
+    tol: float,
+    kept: Collection[int],
 ) -> Iterator[State]:
     """All ways to bring the screws of B onto those of A, from this state on."""
     i = len(state.signs)
@@ -181,18 +226,22 @@ def _walk(
         return
     v, w = A.u[i], A.p[i]
     for sign, settled in settle(A.kinds[i], v, w, B.u[i], B.p[i], state, tol):
+        if i in kept and sign < 0:
+            continue
         u = settled.G[:3, :3] @ B.u[i]
         turn, shifts = settled.turn, settled.shifts
-        if zero_free and A.kinds[i] == "r":
+        if not zero_free or i in kept:
+            pass
+        elif A.kinds[i] == "r":
             turn = (i, u, w)
-        elif zero_free:
+        else:
             shifts = (*shifts, (np.eye(len(A.kinds))[i], u))
         after = replace(settled, signs=(*state.signs, sign), turn=turn, shifts=shifts)
-        yield from _walk(A, B, after, tool_known, zero_free, tol)
+        yield from _walk(A, B, after, tool_known, zero_free, tol, kept)
 
 
 def _ends(
-    wanted: Chain, came: Chain, found: Match, base_free: bool, tool_free: bool, tip: Floats
+    wanted: Moving, came: Moving, found: Match, base_free: bool, tool_free: bool, tip: Floats
 ) -> Match:
     """What stands before and behind, once the joints are named; `tip` is where the walk ends."""
     there = came.tip(found.renamed(np.zeros(wanted.n)))
@@ -207,7 +256,7 @@ def _ends(
     return replace(found, base=before, tool=behind)
 
 
-def _agrees(wanted: Chain, came: Chain, found: Match, tol: float) -> bool:
+def _agrees(wanted: Moving, came: Moving, found: Match, tol: float) -> bool:
     """Whether the tips agree for all of a set of configurations."""
     q = np.random.default_rng(7).uniform(-2, 2, (8, wanted.n))
     T = found.base @ came.tip(found.renamed(q)) @ found.tool

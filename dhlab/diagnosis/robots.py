@@ -7,15 +7,18 @@ from typing import Any
 import numpy as np
 
 from dhlab.diagnosis.gauge import Match
+from dhlab.diagnosis.hanging import components, read_configuration, read_parts
+from dhlab.diagnosis.paths import Naming, Part, apart, parts_of, renaming
 from dhlab.diagnosis.seen import pose_seen
 from dhlab.diagnosis.slips import NOTHING, verdict_of
 from dhlab.diagnosis.tables import TableTask
 from dhlab.diagnosis.values import Floats, Unreadable, numbers
 from dhlab.diagnosis.verdict import Case, Mistake, Verdict, mistake
 from dhlab.kinematics.chain import Chain
-from dhlab.kinematics.mechanism import Branch, Mechanism
+from dhlab.kinematics.mechanism import Mechanism
 
 NEAR = 1e-4
+OTHERWISE = "Frames inside stand otherwise than in our tables, and all tips move as they should."
 HANGS = mistake(
     "attached-elsewhere",
     "a part hangs on another frame, or on another part, than it should",
@@ -28,8 +31,10 @@ class RobotTask:
     """A robot, as plain data: its table, its ends, and where asked for its limits and its pose.
 
     What comes is a mapping with `rows`, `joints`, `convention`, `base`, `grasper`, `offset`,
-    `limits`, `q`; of a robot of several also `components`, a mapping each, and `frames`, the poses
-    in the world at `q` by their names. As for a `TableTask`, every right table is accepted.
+    `limits`, `q`; of a robot of several also `components`, a mapping each, which tells too what it
+    hangs on: `on`, the number of a component or -1, `at`, the frame there, `stand`, the pose of its
+    base in that frame. As for a `TableTask`, every right table is accepted; where the frames
+    between the parts stand is free, as long as all tips move alike.
 
     Parameters
     ----------
@@ -69,10 +74,10 @@ class RobotTask:
         if not isinstance(value, Mapping) or not value.keys() & {"rows", "components"}:
             return Verdict(False, "A robot is asked for: what does `robot(...)` give you?")
         try:
-            branches = self._branches()
-            if len(branches) == 1:
-                return self._simple(branches[0].chain, value)
-            return self._complex(branches, value)
+            wanted = self._wanted()
+            if len(wanted) == 1:
+                return self._simple(wanted[0].chain.replace(base=wanted[0].base), value)
+            return self._complex(wanted, value)
         except Unreadable as refusal:
             return Verdict(False, str(refusal))
 
@@ -83,27 +88,73 @@ class RobotTask:
         verdict, _ = self._part(chain, value, self._q_of(0, chain.n))
         return verdict
 
-    def _complex(self, branches: Sequence[Branch], value: Mapping[str, Any]) -> Verdict:
-        parts = _parts(value, [_last(b.name) for b in branches])
-        choices, found, start = [], [], 0
-        for branch, part in zip(branches, parts, strict=True):
-            n = branch.chain.n
-            verdict, match = self._part(branch.chain, part, self._q_of(start, n))
-            start += n
-            if not verdict.right:
-                return replace(verdict, seen=f"{_last(branch.name)}: {verdict.seen}")
+    def _complex(self, wanted: Sequence[Part], value: Mapping[str, Any]) -> Verdict:
+        names = self._names()
+        values = components(value, names)
+        verdict, found = self._each(wanted, values)
+        try:
+            came = read_parts(value, values, wanted, self.zero_free)
+        except Unreadable as refusal:
+            return Verdict(False, str(refusal)) if verdict.right else verdict
+        elsewhere = None
+        if verdict.right:
+            guess = _joined(found)
+            q = guess.back(read_configuration(values, wanted))
+            elsewhere = apart(wanted, came, guess, q)
+            if elsewhere is None:
+                return verdict
+        named = renaming(wanted, came, self.base_free, self.tool_free, self.zero_free)
+        if named is not None:
+            return self._otherwise(wanted, values, named)
+        if elsewhere is None:
+            return verdict
+        i, T, goal = elsewhere
+        seen = pose_seen(T, goal, f"the tip of {values[i].get('name', names[i])}")
+        return verdict_of(f"Each part is right by itself. {seen}", [(HANGS,)])
+
+    def _each(
+        self, wanted: Sequence[Part], values: Sequence[Mapping[str, Any]]
+    ) -> tuple[Verdict, list[Match]]:
+        """Judge each part by itself."""
+        choices, found = [], []
+        for i, (part, value) in enumerate(zip(wanted, values, strict=True)):
+            joints = self._joints(wanted, i)
+            verdict, match = self._part(part.chain, value, self._q_of(joints.start, joints.stop))
+            if not verdict.right or match is None:
+                return replace(verdict, seen=f"{self._names()[i]}: {verdict.seen}"), []
             choices.append(verdict.seen)
             found.append(match)
-        hung = self._hung(value, parts, found)
-        return hung or Verdict(True, " ".join(filter(None, choices)))
+        return Verdict(True, " ".join(filter(None, choices))), found
 
-    def _branches(self) -> Sequence[Branch]:
+    def _otherwise(
+        self, wanted: Sequence[Part], values: Sequence[Mapping[str, Any]], named: Naming
+    ) -> Verdict:
+        """Judge limits and where it stands of a robot whose tips move as they should."""
+        for i, (part, value) in enumerate(zip(wanted, values, strict=True)):
+            joints = self._joints(wanted, i)
+            q = self._q_of(joints.start, joints.stop)
+            for check in self._checks(part.chain, value, q, named.of(joints)):
+                wrong = check()
+                if wrong is not None:
+                    return replace(wrong, seen=f"{self._names()[i]}: {wrong.seen}")
+        return Verdict(True, OTHERWISE)
+
+    def _joints(self, wanted: Sequence[Part], i: int) -> slice:
+        start = sum(part.chain.n for part in wanted[:i])
+        return slice(start, start + wanted[i].chain.n)
+
+    def _names(self) -> list[str]:
         if isinstance(self.robot, Chain):
-            return [Branch("robot", self.robot)]
-        return [b for b in self.robot.branches if b.chain.n]
+            return ["robot"]
+        return [_last(b.name) for b in self.robot.branches if b.chain.n]
 
-    def _q_of(self, start: int, n: int) -> Floats | None:
-        return None if self.q is None else np.array(self.q[start : start + n], dtype=np.float64)
+    def _wanted(self) -> list[Part]:
+        if isinstance(self.robot, Chain):
+            return [Part(self.robot, -1, 0, self.robot.base)]
+        return parts_of(self.robot.branches)
+
+    def _q_of(self, start: int, stop: int) -> Floats | None:
+        return None if self.q is None else np.array(self.q[start:stop], dtype=np.float64)
 
     def _part(self, chain: Chain, value: Any, q: Floats | None) -> tuple[Verdict, Match | None]:
         """Judge one chain: its table, then its limits and where it stands."""
@@ -128,55 +179,15 @@ class RobotTask:
         if q is not None:
             yield lambda: _stands_off(chain, value.get("q"), match.renamed(q - match.zeros[0]))
 
-    def _hung(
-        self, value: Mapping[str, Any], parts: Sequence[Any], found: Sequence[Match | None]
-    ) -> Verdict | None:
-        """Compare where the parts end, for the configuration that came: do they hang rightly."""
-        if isinstance(self.robot, Chain):
-            return None
-        q = []
-        for match, part in zip(found, parts, strict=True):
-            if match is None:
-                return None
-            there = numbers(part.get("q"), [match.signs.shape], "the configuration")
-            q.append(match.signs * (there - match.offsets - match.zeros[1]) + match.zeros[0])
-        frames = value.get("frames")
-        if not isinstance(frames, Mapping):
-            raise Unreadable("The robot tells no frames: is it made by `robot_complex`?")
-        names = {
-            _last(branch.name): str(part.get("name"))
-            for branch, part in zip(self._branches(), parts, strict=True)
-        }
-        for name, wanted in self.robot.frames(np.concatenate(q)).items():
-            if not name.endswith("/grasper"):
-                continue
-            end = [names[name.split("/")[-2]], "grasper"]
-            came = [T for key, T in frames.items() if str(key).split("/")[-2:] == end]
-            if len(came) != 1:
-                raise Unreadable(f"There is no single {'/'.join(end)} among the robot's frames.")
-            T = numbers(came[0], [(4, 4)], f"the pose of {'/'.join(end)}")
-            if np.abs(T - wanted).max() > NEAR * (1 + np.abs(wanted).max()):
-                seen = pose_seen(T, wanted, f"the tip of {end[0]}")
-                return verdict_of(f"Each part is right by itself. {seen}", [(HANGS,)])
-        return None
-
 
 def _last(name: str) -> str:
     return name.split("/")[-1]
 
 
-def _parts(value: Mapping[str, Any], names: Sequence[str]) -> list[Any]:
-    """Components that came, in the order of these names; by their place where names differ."""
-    parts = value.get("components")
-    if not isinstance(parts, list | tuple) or not all(isinstance(p, Mapping) for p in parts):
-        raise Unreadable(f"A robot of {len(names)} chains is asked for: which ones are joined?")
-    if len(parts) != len(names):
-        less = "fewer" if len(parts) < len(names) else "more"
-        raise Unreadable(f"The robot has {less} chains than the one asked for.")
-    by_name = {str(part.get("name")): part for part in parts}
-    if set(by_name) == set(names):
-        return [by_name[name] for name in names]
-    return list(parts)
+def _joined(found: Sequence[Match]) -> Naming:
+    """Return the renamings of the parts as one of the whole robot."""
+    offsets = [m.renamed(-m.zeros[0]) for m in found]
+    return Naming(np.concatenate([m.signs for m in found]), np.concatenate(offsets), np.eye(4))
 
 
 def _limits_off(chain: Chain, value: Any, match: Match) -> Verdict | None:

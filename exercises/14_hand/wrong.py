@@ -51,8 +51,8 @@ hand = robot_complex(
     finger("little"), name="hand",
 )
 
-# %% hand: what stands before it
+# %% hand: each part is right by itself
 hand = robot_complex(
     thumb(), finger("index"), finger("middle"), finger("ring"), finger("little"), name="hand",
-    base=(0, 0, 0.1),
 )
+hand.base = (0, 0, 0.1)

@@ -41,6 +41,13 @@ def hand(a=0.04, lower=(0.1, 0, 0)):
     return palm.connect(finger("upper", (0.1, 0.05, 0)), finger("lower", lower, a))
 
 
+def changed(number, **fields):
+    """Components of a hand, one of them changed."""
+    parts = plain(hand())["components"]
+    parts[number] |= fields
+    return parts
+
+
 def test_robots_of_the_models_are_right(tally):
     for make in (puma, upper_limb, hand):
         task = RobotTask(make().mechanism, limits=True, q=make().q)
@@ -124,8 +131,10 @@ def test_a_part_that_hangs_elsewhere_is_named():
         ({"components": []}, "2 fewer"),
         ({"components": [{"rows": 1}] * 3}, "palm: The table has shape"),
         ({"components": 7}, "A robot of 3 chains is asked for"),
-        ({"frames": None}, "tells no frames"),
-        ({"frames": {}}, "no single upper/grasper among"),
+        ({"components": changed(1, on=None)}, "does not tell what hangs on what"),
+        ({"components": changed(1, on=3)}, "does not tell what hangs on what"),
+        ({"components": changed(1, at=2)}, "hangs on a frame that is not there"),
+        ({"components": changed(1, stand=[1, 2])}, "The base has shape (2,)"),
     ],
 )
 def test_what_is_no_such_robot_gets_a_sentence(change, sentence):

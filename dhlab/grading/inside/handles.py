@@ -25,7 +25,9 @@ def robot_fields(robot: Any) -> Mapping[str, Any]:
     fields : mapping
         `name`, `rows`, `joints`, `convention`, `base`, `grasper`, `offset`, `home`, `limits` of
         the robot's own joints and its `q`; `components`, the same of each simple robot in the
-        order of `q`, where there are several; `frames`, by name and in the world, at `q`.
+        order of `q`, where there are several, each with what it hangs on: `on`, the number of a
+        component, -1 for none, `at`, the frame there, and `stand`, the pose of its base in that
+        frame; `frames`, by name and in the world, at `q`.
     """
     if not hasattr(robot, "frames"):
         raise _is_no("robot", robot)
@@ -33,9 +35,9 @@ def robot_fields(robot: Any) -> Mapping[str, Any]:
         return _chain_fields(robot)
     own = {"name": robot.name, **_chain_fields(robot.own.chain)}
     whole: dict[str, Any] = {"q": robot.q, "frames": robot.frames()}
-    components = [_component_fields(c) for c in robot.components]
+    components = [_component_fields(c) | hung for c, hung in _components(robot)]
     if len(components) == 1:
-        return components[0] | whole | {"base": robot.base}
+        return components[0] | whole | {"base": components[0]["stand"]}
     return own | whole | {"components": components}
 
 
@@ -78,6 +80,24 @@ READERS: Mapping[str, Callable[[Any], Any]] = {
 
 def _component_fields(component: Any) -> dict[str, Any]:
     return {"name": component.name, **_chain_fields(component.chain), "q": component.q}
+
+
+def _components(robot: Any) -> list[tuple[Any, dict[str, Any]]]:
+    """Each component with what it hangs on; robots without joints go into the poses between."""
+    found: list[tuple[Any, dict[str, Any]]] = []
+
+    def add(robot: Any, on: int, at: int, stand: Any) -> None:
+        stand, own = stand @ robot.own.base, len(found)
+        if robot.own.n:
+            found.append((robot.own, {"on": on, "at": at, "stand": stand}))
+        for frame, child in robot.joints_at:
+            if robot.own.n:
+                add(child, own, frame, np.eye(4))
+            else:
+                add(child, on, at, stand)
+
+    add(robot, -1, 0, np.eye(4))
+    return found
 
 
 def _chain_fields(chain: Any) -> dict[str, Any]:

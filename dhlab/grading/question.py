@@ -10,6 +10,7 @@ from dhlab.arrays import as_number
 from dhlab.diagnosis.verdict import Task
 from dhlab.errors import InputError
 from dhlab.grading.asked import Kind
+from dhlab.grading.inside.plain import NotPlain, from_json, to_json
 
 Arguments: TypeAlias = tuple[Any, ...]
 KINDS: tuple[str, ...] = get_args(Kind)
@@ -29,6 +30,7 @@ class Question:
         All of them or none are given.
     examples : sequence of tuples
         Arguments of the cases that the student sees; the default stands for a plain value.
+        They are numbers, text, arrays, lists and mappings; a list of numbers comes as an array.
     inputs : callable, optional
         From a random generator to further arguments, drawn anew when it is marked. They must hold
         the special cases too: zeros, right angles, negative lengths.
@@ -93,10 +95,16 @@ class Question:
 
 
 def _checked(cases: Sequence[Arguments], what: str) -> tuple[Arguments, ...]:
-    """Refuse arguments that are no tuples: a lone number in brackets is none."""
+    """Arguments as a function gets them, wherever it is tried: lists of numbers are arrays.
+
+    What is no tuple is refused (a lone number in brackets is none), and what is not plain.
+    """
     wrong = next((case for case in cases if not isinstance(case, tuple)), None)
     if wrong is not None:
         raise InputError(
             f"{what} must be tuples of arguments such as (0.3,) or (0.3, 0.5), got {wrong!r}"
         )
-    return tuple(cases)
+    try:
+        return tuple(tuple(from_json(to_json(a)) for a in case) for case in cases)
+    except NotPlain as refusal:
+        raise InputError(f"{what} must be made of numbers and text, got {refusal.text}") from None

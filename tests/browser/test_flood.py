@@ -60,8 +60,6 @@ def measured(notebook, code):
     shown.wait_until(f"view.scene.sequence === {sequence}", seconds=30)
     shown.wait_until("stage.settled", seconds=30)
     gained = heap(notebook.page) - page, float(notebook.value("used()")) - kernel
-    print(f"{code}: {took:.1f} s, {messages:.0f} messages, page {gained[0]:+.2f} MB, ", end="")
-    print(f"kernel {gained[1]:+.2f} MB")
     return took, messages, *gained
 
 

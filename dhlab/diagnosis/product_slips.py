@@ -202,10 +202,11 @@ def _inverses(
         when = f"{names[k]} is inverted, where it is needed as it is"
         if move.inverse:
             when = f"{names[k]} is used as it is, where its inverse is needed"
-        yield Slip(
-            mistake(f"inverted-{k + 1}", when, question),
-            lambda p, k=k: p.changed(k, inverse=not p.moves[k].inverse),  # type: ignore[misc]
-        )
+        if len(moves) > 1 or move.inverse:  # else the inverse of the whole says the same
+            yield Slip(
+                mistake(f"inverted-{k + 1}", when, question),
+                lambda p, k=k: p.changed(k, inverse=not p.moves[k].inverse),  # type: ignore[misc]
+            )
         if move.inverse and not rotation:
             for key, change, how in (
                 ("transposed", transposed, "the whole matrix is transposed"),

@@ -8,7 +8,7 @@ from dhlab.diagnosis import ArrangementTask, MatrixTask, slide, turn
 from dhlab.diagnosis.arrangement import Placed, arrangement_slips, evaluate_placed
 from dhlab.errors import InputError
 from dhlab.kinematics.angles import rpy2r
-from dhlab.kinematics.transforms import rotx, rp2t, transl
+from dhlab.kinematics.transforms import inverse, rotx, rotz, rp2t, transl
 
 PARENTS = {"B": "A", "C": "B"}
 
@@ -99,3 +99,9 @@ def test_parents_come_first():
         ArrangementTask({"A": np.eye(4), "B": np.eye(4)}, {"A": "B"})
     with pytest.raises(InputError, match="at least one frame"):
         ArrangementTask({})
+
+
+def test_a_pose_that_is_inverted_is_told_in_one_way(keys):
+    pose = rp2t(rotz(0.5), (0.1, 0.2, 0.3))
+    verdict = ArrangementTask({"H": pose}).judge([((), {"H": inverse(pose)})])
+    assert keys(verdict) == [{"inverse"}]

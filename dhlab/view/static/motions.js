@@ -28,6 +28,10 @@ export class Motions {
     const given = [...puts, ...curves].filter(({ curve }) => curve).map(({ curve }) => curve);
     const spans = puts.filter(({ span }) => span).map(({ span }) => span);
     for (const { clock, count } of [...given, ...spans]) {
+      const held = this.#clocks.get(clock)?.player.times ?? sharedPage().players.get(clock)?.times;
+      if (held && clocks.has(clock) && !sameNumbers(held, clocks.get(clock))) {
+        throw new Error(`clock ${clock} has other instants than before`);
+      }
       const times = clocks.get(clock) ?? (fresh ? undefined : this.#clocks.get(clock)?.player.times);
       if (!times) throw new Error(`no clock ${clock}`);
       if (count !== undefined && times.length !== count) throw new Error("a curve needs a sample for each instant");
@@ -126,6 +130,10 @@ export class Motions {
       this.#scene.tell("changed");
     }
   }
+}
+
+function sameNumbers(some, others) {
+  return some.length === others.length && some.every((number, i) => number === others[i]);
 }
 
 /** Keys of the clocks that a node goes by. */

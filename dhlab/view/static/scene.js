@@ -73,17 +73,18 @@ export class Scene {
   #check(batch) {
     const gone = new Set(batch.fresh ? this.nodes.keys() : batch.removes.flatMap((id) => this.#under(id)));
     const ids = new Set([...this.nodes.keys()].filter((id) => !gone.has(id)));
-    const paths = new Set([...ids].map((id) => this.nodes.get(id).path));
+    const paths = new Map([...ids].map((id) => [this.nodes.get(id).path, id]));
     const joints = new Set([...ids].filter((id) => this.nodes.get(id).joint));
     for (const put of batch.puts) {
       const parent = parentOf(put.path);
       if (parent !== null && !paths.has(parent)) throw new Error(`no parent for '${put.path}'`);
-      if (ids.has(put.id) !== paths.has(put.path)) throw new Error(`two nodes '${put.path}'`);
+      const same = paths.has(put.path) ? paths.get(put.path) === put.id : !ids.has(put.id);
+      if (!same) throw new Error(`node ${put.id} is not the one at '${put.path}'`);
       if (put.shape !== null && !batch.geometry.has(put.shape) && !this.geometry.has(put.shape)) {
         throw new Error(`no geometry ${put.shape}`);
       }
       ids.add(put.id);
-      paths.add(put.path);
+      paths.set(put.path, put.id);
       if (put.joint) joints.add(put.id);
       else joints.delete(put.id);
     }

@@ -19,12 +19,12 @@ export function splitSnapshot(view) {
 export function decode(header, view) {
   if (header.format !== FORMAT) throw new Error(`wire format ${header.format} is not ${FORMAT}`);
   const read = reader(view);
-  const styles = (header.styles ?? []).map(checkedStyle);
-  const { puts = [], paints = [], curves = [] } = header;
+  const styles = list(header.styles, "styles").map(checkedStyle);
+  const [puts, paints, curves] = ["puts", "paints", "curves"].map((what) => list(header[what], what));
   return {
     sequence: natural(header.seq, "seq"),
     fresh: Boolean(header.fresh),
-    play: header.play ?? [],
+    play: list(header.play, "play"),
     geometry: new Map(
       Object.entries(header.geometry ?? {}).map(([key, form]) => [key, decodeShape(form, read)]),
     ),
@@ -32,7 +32,7 @@ export function decode(header, view) {
       Object.entries(header.clocks ?? {}).map(([key, form]) => [key, decodeTimes(form, read)]),
     ),
     rests: new Map(Object.entries(header.rests ?? {}).map(([key, form]) => [key, decodeRest(form)])),
-    removes: (header.removes ?? []).map((id) => natural(id, "node")),
+    removes: list(header.removes, "removes").map((id) => natural(id, "node")),
     puts: puts.map((put) => decodePut(put, read, styles)),
     joints: decodeJoints(header.joints, read),
     poses: decodePoses(header.poses, read),
@@ -70,6 +70,16 @@ function natural(value, what) {
   throw new Error(`${what} must be a whole number from 0 up, got ${JSON.stringify(value)}`);
 }
 
+function list(value, what) {
+  if (Array.isArray(value ?? [])) return value ?? [];
+  throw new Error(`${what} must be a list, got ${JSON.stringify(value)}`);
+}
+
+function text(value, what) {
+  if (typeof value === "string" && value !== "") return value;
+  throw new Error(`${what} must be a text, got ${JSON.stringify(value)}`);
+}
+
 function known(value, what) {
   if (value === undefined || value === null) throw new Error(`${what} is unknown`);
   return value;
@@ -81,7 +91,7 @@ function finite(value, what) {
 }
 
 function checkedStyle(style) {
-  const colors = style.edge_color ? [style.color, style.edge_color] : [style.color];
+  const colors = (style.edge_color ?? null) === null ? [style.color] : [style.color, style.edge_color];
   for (const color of colors) {
     if (!Array.isArray(color) || color.length !== 3) throw new Error("a colour has 3 numbers");
     color.forEach((part) => finite(part, "a colour"));
@@ -94,7 +104,7 @@ function checkedStyle(style) {
 function decodePut(put, read, styles) {
   return {
     id: natural(put.id, "node"),
-    path: String(known(put.path, "path")),
+    path: text(put.path, "path"),
     pose: new Float64Array(read(Float64Array, put.pose, 12)),
     joint: put.joint ? decodeJoint(put.joint) : null,
     value: finite(put.value ?? 0, "value"),
@@ -116,7 +126,7 @@ function decodeJoint({ kind, key, after }) {
 
 function decodeJoints(form, read) {
   if (!form) return { ids: [], values: [] };
-  const count = form.count;
+  const count = natural(form.count, "count");
   return {
     ids: read(Uint32Array, form.ids, count),
     values: read(Float64Array, form.values, count),
@@ -125,13 +135,14 @@ function decodeJoints(form, read) {
 
 function decodePoses(form, read) {
   if (!form) return { ids: [], poses: [] };
-  const count = form.count;
+  const count = natural(form.count, "count");
   const matrices = Float64Array.from(read(Float32Array, form.matrices, 12 * count));
   const poses = Array.from({ length: count }, (_, i) => matrices.subarray(12 * i, 12 * i + 12));
   return { ids: read(Uint32Array, form.ids, count), poses };
 }
 
-function decodeTimes({ at, count, stops = [] }, read) {
+function decodeTimes({ at, count, stops: given }, read) {
+  const stops = list(given, "stops");
   const times = read(Float64Array, at, count);
   if (count < 1) throw new Error("a clock has at least one instant");
   for (let i = 1; i < count; i++) {
@@ -158,6 +169,7 @@ function decodeSpan({ clock, begin, end, grown }) {
 }
 
 function decodeCurve({ clock, at, count, width }, read) {
+  natural(count, "count");
   if (width !== 1 && width !== 12) throw new Error("a sample has 1 or 12 numbers");
   const samples =
     width === 1
@@ -171,7 +183,7 @@ function decodeShape(form, read) {
     case "mesh":
       return decodeMesh(form, read);
     case "lines":
-      return { kind: "lines", segments: read(Float32Array, form.segments, 6 * form.count) };
+      return { kind: "lines", segments: read(Float32Array, form.segments, 6 * natural(form.count, "count")) };
     case "label":
       return { kind: "label", text: String(form.text), size: finite(form.size, "size") };
     default:
@@ -180,13 +192,16 @@ function decodeShape(form, read) {
 }
 
 function decodeMesh(form, read) {
-  const indices = read(Uint32Array, form.indices, 3 * form.triangles);
-  if (indices.some((index) => index >= form.vertices)) throw new Error("a face names no vertex");
+  const [triangles, vertices, segments] = ["triangles", "vertices", "segments"].map((what) =>
+    natural(form[what], what),
+  );
+  const indices = read(Uint32Array, form.indices, 3 * triangles);
+  if (indices.some((index) => index >= vertices)) throw new Error("a face names no vertex");
   return {
     kind: "mesh",
-    positions: read(Float32Array, form.positions, 3 * form.vertices),
-    normals: read(Float32Array, form.normals, 3 * form.vertices),
+    positions: read(Float32Array, form.positions, 3 * vertices),
+    normals: read(Float32Array, form.normals, 3 * vertices),
     indices,
-    edges: read(Float32Array, form.edges, 6 * form.segments),
+    edges: read(Float32Array, form.edges, 6 * segments),
   };
 }

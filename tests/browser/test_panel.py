@@ -44,6 +44,29 @@ PRESS_FIVE_TIMES = """handle => {
   }
 }"""
 
+STATUS = "jupyterapp.shell.currentWidget.sessionContext.session.kernel.status"
+BUSY, IDLE = (f"() => {STATUS} === '{status}'" for status in ("busy", "idle"))
+WORLD = """
+poses = {"": np.eye(4)}
+for path, node in view.nodes.items():
+    poses[path] = poses[path.rpartition("/")[0]] @ node.matrix
+"""
+SAME_FRAME = """async (handle) => {
+  const view = globalThis[Symbol.for("dhlab.page")].views.findLast(({ name }) => name === "limb");
+  const stage = view.stages.at(-1);
+  const { render } = stage.viewer.renderer.info;
+  const { kernel } = jupyterapp.shell.currentWidget.sessionContext.session;
+  const frame = () => new Promise(requestAnimationFrame);
+  while (!stage.settled) await frame();
+  await new Promise((go) => setTimeout(go)); // an event of its own, as one of the mouse is
+  const poses = () => [...view.scene.paths.keys()].map((path) => [path, view.pose(path)]);
+  const [before, drawn] = [poses(), render.frame];
+  handle.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight", cancelable: true }));
+  const after = poses();
+  await frame();
+  return { before, after, frames: render.frame - drawn, status: kernel.status };
+}"""
+
 
 class Sliders:
     """The newest panel of a page, as a user has it."""
@@ -172,6 +195,28 @@ def test_a_slider_moves_the_picture_while_the_kernel_is_busy(notebook, sliders):
     notebook.page.wait_for_timeout(2500)
     assert np.degrees(notebook.value("limb.q")[0]) == pytest.approx(sliders.values()[0], abs=0.051)
     assert notebook.value("limb.frames()['arm/1']") == pytest.approx(during, abs=2e-3)
+
+
+@pytest.mark.parametrize("index", [0, 12])  # of the arm, and of a finger of the complex hand
+def test_a_slider_moves_all_bodies_in_the_same_frame_while_the_kernel_is_busy(
+    notebook, sliders, index
+):
+    notebook.execute("limb.q = limb.clip(limb.home - 0.1); view.flush(); panel.flush()")
+    sliders.wait_for(np.degrees(notebook.value("limb.q")))
+    handle = sliders.handle(index).element_handle()
+    notebook.view("limb").evaluate("stage.element.scrollIntoView({ block: 'center' })")
+    notebook.start("import time; time.sleep(3)")
+    notebook.page.wait_for_function(BUSY)
+    seen = notebook.page.evaluate(SAME_FRAME, handle)
+    assert seen["status"] == "busy"
+    assert seen["frames"] == 1
+    assert seen["before"] != seen["after"]
+    notebook.page.wait_for_function(IDLE)
+    sliders.wait_for(np.degrees(notebook.value("limb.q")))
+    paths, page = zip(*seen["after"], strict=True)
+    notebook.execute(WORLD)
+    python = notebook.value(f"[poses[path] for path in {paths!r}]")
+    assert np.abs(np.reshape(page, (-1, 4, 4)) - python).max() < 1e-6
 
 
 def test_a_drag_to_the_end_is_the_limit_bit_for_bit(notebook, sliders):

@@ -25,7 +25,8 @@ NUMBERS = count(1)
 
 EXECUTE = """async (code) => {
   const { kernel } = jupyterapp.shell.currentWidget.sessionContext.session;
-  const future = kernel.requestExecute({ code, stop_on_error: false });
+  const cell = { cellId: crypto.randomUUID() }; // as a cell of the page names itself
+  const future = kernel.requestExecute({ code, stop_on_error: false }, false, cell);
   const said = [];
   future.onIOPub = ({ header, content }) => {
     if (header.msg_type === "stream") said.push(content.text);
@@ -37,7 +38,7 @@ EXECUTE = """async (code) => {
 
 START = """(code) => {
   const { kernel } = jupyterapp.shell.currentWidget.sessionContext.session;
-  kernel.requestExecute({ code });
+  kernel.requestExecute({ code }, true, { cellId: crypto.randomUUID() });
 }"""
 
 READY = """() => {
@@ -202,7 +203,13 @@ class Shown:
         return list(self.evaluate("[...view.scene.paths.keys()]"))
 
     def pixels(self) -> NDArray[np.uint8]:
-        """The picture as it is drawn now, without bars, shape (height, width, 3)."""
+        """The picture as it is drawn now, without bars, shape (height, width, 3).
+
+        A view out of sight has lent its graphics memory: it is brought into sight first.
+        """
+        if self.evaluate("stage.graphics.away"):
+            self.evaluate("stage.element.scrollIntoView({ block: 'center' })")
+            self.wait_until("!stage.graphics.away && stage.settled", seconds=30)
         url = str(self.evaluate("stage.picture().toDataURL('image/png')"))
         png = base64.b64decode(url.removeprefix("data:image/png;base64,"))
         return np.asarray(Image.open(BytesIO(png)).convert("RGB"))

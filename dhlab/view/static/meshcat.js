@@ -39,7 +39,7 @@ export function createMeshcat(pane, changed) {
       viewer.controls.dispose();
       viewer.gui.domElement.remove();
       renderer.dispose();
-      renderer.forceContextLoss();
+      if (!renderer.getContext().isContextLost()) renderer.forceContextLoss();
       renderer.domElement.remove();
     },
   };

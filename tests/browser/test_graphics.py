@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from .lab import PAGE
+from .test_download import played_back
 from .test_view import ORANGE, SETUP, WIDGETS, near
 
 COUNT = 20
@@ -137,3 +138,28 @@ def test_a_cell_run_fifty_times_keeps_one_context_and_memory_flat(open_notebook)
     assert notebook.views() == 1
     scenes = f"sum(type(w).__name__ == 'SceneWidget' for w in {WIDGETS})"
     assert int(notebook.value(scenes)) == 1
+
+
+def test_a_view_out_of_sight_is_filmed_once_it_has_its_memory_back(notebook, browser, tmp_path):
+    path = tmp_path / "far.webm"
+    scroll_to(notebook, 0)
+    for number in range(COUNT // 2, COUNT):
+        scroll_to(notebook, number)
+    assert notebook.view("v0").evaluate("stage.graphics.away")
+    notebook.execute(
+        "animate([0, 0.5, 1], {box: lambda t: transl((0.3 * t, 0, 0))})\n"
+        f"film = views[0].save_film({str(path)!r})"
+    )
+    notebook.view("v0").wait_until(
+        "stage.playerBar.filmButton.getAttribute('aria-pressed') === 'true'"
+    )
+    notebook.view("v0").wait_until(
+        "stage.playerBar.filmButton.getAttribute('aria-pressed') === 'false'", seconds=60
+    )
+    for _ in range(100):
+        if notebook.value("film.arrived").item():
+            break
+        notebook.page.wait_for_timeout(100)
+    _, first, last = played_back(browser, path.read_bytes())
+    for picture in (first, last):
+        assert near(picture, ORANGE, tolerance=90).mean() > 0.01

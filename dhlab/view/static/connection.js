@@ -127,6 +127,8 @@ export class Connection {
   #film(number) {
     const stage = this.stages.at(-1);
     if (!stage) return void this.#films.push(number);
+    stage.element.scrollIntoView({ block: "nearest" });
+    if (stage.graphics.away) return void requestAnimationFrame(() => this.#film(number));
     const answer = (told, ...buffers) => this.#model.send({ film: number, ...told }, undefined, buffers);
     const trouble = stage.filmFor(async (blob, ending) => answer({ ending }, await blob.arrayBuffer()));
     if (trouble) answer({ trouble });

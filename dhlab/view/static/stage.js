@@ -150,12 +150,11 @@ export class Stage {
     this.playerBar.showFilming(true);
   }
 
-  /** Film for somebody who asks for it, in sight; returns why that cannot be, or nothing. */
+  /** Film for somebody who asks for it; returns why that cannot be, or nothing. */
   filmFor(keep) {
     if (!filmKind()) return "this browser makes no films";
     if (this.#film) return "another film is just being made";
     if (this.scene.players.at(-1)?.stops.length !== 0) return "nothing moves in the page";
-    this.element.scrollIntoView({ block: "nearest" });
     this.film(keep);
     return "";
   }

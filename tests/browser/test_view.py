@@ -271,6 +271,30 @@ def test_a_view_out_of_sight_is_not_drawn_and_right_when_it_comes_back(notebook,
     assert near(shown.pixels(), ORANGE).mean() > 0.01
 
 
+def test_in_a_hidden_tab_changes_wait_for_one_frame_and_it_is_right_when_it_comes(notebook, shown):
+    """A browser gives a hidden tab no frames; this one is given none until it is seen again."""
+    shown.settle()
+    at_first = middle(near(shown.pixels(), ORANGE))
+    shown.evaluate(
+        "(globalThis.held = [], globalThis.give = requestAnimationFrame, "
+        "globalThis.requestAnimationFrame = f => f && globalThis.held.push(f), 0)"
+    )
+    drawn = shown.evaluate(FRAMES)
+    try:
+        for _ in range(5):
+            notebook.execute("for k in range(200): box.move((k / 4000, 0, 0)); main.flush()")
+        shown.wait_until("view.pose('box')[3] > 0.0497")
+        assert shown.evaluate(FRAMES) == drawn
+        assert shown.evaluate("view.stages.length < 3 && globalThis.held.length < 20")
+    finally:
+        shown.evaluate(
+            "(globalThis.requestAnimationFrame = give, globalThis.held.forEach(f => give(f)), 0)"
+        )
+    shown.wait_until(f"{FRAMES} > {drawn}")
+    shown.settle()
+    assert middle(near(shown.pixels(), ORANGE))[0] > at_first[0] + 10
+
+
 def test_nothing_is_drawn_while_nothing_changes(notebook, shown):
     shown.settle()
     before = shown.evaluate(FRAMES)

@@ -205,7 +205,7 @@ def test_a_slider_moves_all_bodies_in_the_same_frame_while_the_kernel_is_busy(
     sliders.wait_for(np.degrees(notebook.value("limb.q")))
     handle = sliders.handle(index).element_handle()
     notebook.view("limb").evaluate("stage.element.scrollIntoView({ block: 'center' })")
-    notebook.start("import time; time.sleep(3)")
+    notebook.start("import time; time.sleep(6)")
     notebook.page.wait_for_function(BUSY)
     seen = notebook.page.evaluate(SAME_FRAME, handle)
     assert seen["status"] == "busy"

@@ -23,7 +23,8 @@ the fewer the alternatives: three inputs without zeros and right angles tell mos
 - `link`: the function of one row; `forward`: the pose of a chain's tip; `table_model`,
   `chain_slips`: a table in numbers, and what goes wrong in it
 - `tables`, `reading`, `table_search`: a table that came; `gauge`, `waiting`: when two tables are
-  the same mechanism; `robots`: one or several chains with their limits
+  the same mechanism; `robots`, `hanging`: one or several chains that came; `paths`, `renaming`,
+  `zeros`: when two of these are the same; `beside`: limits, and where a robot stands
 - `arrangement`: coordinate systems in a scene
 
 The tasks: `MatrixTask` (a rotation or a pose, plain or as a function), `PointTask` (a point or a

@@ -7,7 +7,7 @@ joint. A motion that leaves the next screw where it is waits (it commutes with t
 later screw or the tip settles it.
 """
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import product
 from typing import Protocol
@@ -93,7 +93,6 @@ def match(
     tool_free: bool = False,
     zero_free: bool = True,
     tolerance: float = TOLERANCE,
-    fixed: Collection[int] = (),
 ) -> Match | None:
     """Find how the joints of `came` must be renamed to move its tip as `wanted` does.
 
@@ -105,16 +104,35 @@ def match(
     zero_free : bool
         Whether joints may have other zeros.
     tolerance : float [rad or m]
-    fixed : collection of int
-        Joints, from 0, that keep their names: neither sense nor zero may differ.
 
     Returns
     -------
     match : Match or None
         None: there is no such renaming.
     """
+    return next(matches(wanted, came, base_free, tool_free, zero_free, tolerance), None)
+
+
+def matches(
+    wanted: Moving,
+    came: Moving,
+    base_free: bool = False,
+    tool_free: bool = False,
+    zero_free: bool = True,
+    tolerance: float = TOLERANCE,
+    senses: Mapping[int, float] | None = None,
+) -> Iterator[Match]:
+    """Find all such renamings, one for each choice of senses.
+
+    Parameters
+    ----------
+    wanted, came, base_free, tool_free, zero_free, tolerance
+        As `match` takes them.
+    senses : mapping from int to float, optional
+        Joints, from 0, whose sense is known: 1 or -1.
+    """
     if wanted.joints != came.joints:
-        return None
+        return
     zeros = (-wanted.offset, -came.offset) if zero_free else (0 * wanted.offset, 0 * came.offset)
     A, B = screws(wanted, zeros[0]), screws(came, zeros[1])
     if base_free and not tool_free:
@@ -124,17 +142,18 @@ def match(
     else:
         starts = _free_starts(A, B, tolerance) if base_free else iter([_start(A)])
         tool_known, flip = not tool_free, False
-    kept = {wanted.n - 1 - i if flip else i for i in fixed}
+    known = {wanted.n - 1 - i if flip else i: sense for i, sense in (senses or {}).items()}
+    told: set[bytes] = set()
     for start in starts:
-        for end in _walk(A, B, start, tool_known, zero_free, tolerance, kept):
+        for end in _walk(A, B, start, tool_known, zero_free, tolerance, known):
             signs, offsets = np.array(end.signs), end.offsets
             if flip:
                 signs, offsets = signs[::-1], offsets[::-1]
             begin = Match(signs, offsets, np.eye(4), np.eye(4), zeros)
             found = _ends(wanted, came, begin, base_free, tool_free, end.G @ B.tip)
-            if _agrees(wanted, came, found, tolerance):
-                return found
-    return None
+            if signs.tobytes() not in told and _agrees(wanted, came, found, tolerance):
+                told.add(signs.tobytes())
+                yield found
 
 
 def screws(chain: Moving, q: Floats) -> Screws:
@@ -214,7 +233,7 @@ def _walk(
     tool_known: bool,
     zero_free: bool,
     tol: float,
-    kept: Collection[int],
+    known: Mapping[int, float],
 ) -> Iterator[State]:
     """All ways to bring the screws of B onto those of A, from this state on."""
     i = len(state.signs)
@@ -226,18 +245,18 @@ def _walk(
         return
     v, w = A.u[i], A.p[i]
     for sign, settled in settle(A.kinds[i], v, w, B.u[i], B.p[i], state, tol):
-        if i in kept and sign < 0:
+        if sign != known.get(i, sign):
             continue
         u = settled.G[:3, :3] @ B.u[i]
         turn, shifts = settled.turn, settled.shifts
-        if not zero_free or i in kept:
+        if not zero_free:
             pass
         elif A.kinds[i] == "r":
             turn = (i, u, w)
         else:
             shifts = (*shifts, (np.eye(len(A.kinds))[i], u))
         after = replace(settled, signs=(*state.signs, sign), turn=turn, shifts=shifts)
-        yield from _walk(A, B, after, tool_known, zero_free, tol, kept)
+        yield from _walk(A, B, after, tool_known, zero_free, tol, known)
 
 
 def _ends(

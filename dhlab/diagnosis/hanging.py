@@ -1,18 +1,23 @@
-"""What came of a robot of several chains: its components, and on what each hangs."""
+"""What came of a robot: its parts, and on what each hangs."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import numpy as np
-
 from dhlab.diagnosis.paths import Part
 from dhlab.diagnosis.reading import read_chain
-from dhlab.diagnosis.values import Floats, Unreadable, numbers
+from dhlab.diagnosis.values import Unreadable, numbers
 
 
-def components(value: Mapping[str, Any], names: Sequence[str]) -> list[Any]:
-    """Components that came, in the order of these names; by their place where names differ."""
+def parts_told(value: Mapping[str, Any], names: Sequence[str]) -> list[Mapping[str, Any]]:
+    """Parts that came, in the order of these names; by their place where names differ.
+
+    Without names one chain is asked for: the robot itself.
+    """
     parts = value.get("components")
+    if not names:
+        if isinstance(parts, list | tuple) and len(parts) > 1:
+            raise Unreadable("One chain is asked for; this robot has several.")
+        return [value]
     if not isinstance(parts, list | tuple) or not all(isinstance(p, Mapping) for p in parts):
         raise Unreadable(f"A robot of {len(names)} chains is asked for: which ones are joined?")
     if len(parts) != len(names):
@@ -37,7 +42,7 @@ def read_parts(
     value : mapping
         The robot, whose components are numbered as they came.
     values : sequence of mapping
-        The components in the order of `wanted`.
+        The parts in the order of `wanted`.
     wanted : sequence of Part
     zero_free : bool
         As `read_chain` takes it.
@@ -47,6 +52,11 @@ def read_parts(
     Unreadable
         With a sentence for the student.
     """
+    if len(wanted) == 1:
+        (like,) = wanted
+        own = like.chain.replace(base=like.base)
+        chain = read_chain(value, own, zero_free)
+        return [Part(chain, -1, 0, chain.base)]
     order = [next(k for k, v in enumerate(values) if v is c) for c in value["components"]]
     parts = []
     for part, like in zip(values, wanted, strict=True):
@@ -59,12 +69,3 @@ def read_parts(
     if any(p.on >= 0 and p.at > parts[p.on].chain.n for p in parts):
         raise Unreadable("A part of the robot hangs on a frame that is not there.")
     return parts
-
-
-def read_configuration(values: Sequence[Mapping[str, Any]], wanted: Sequence[Part]) -> Floats:
-    """Read the configuration of the whole robot, shape (n,)."""
-    q = [
-        numbers(value.get("q"), [(part.chain.n,)], "the configuration")
-        for value, part in zip(values, wanted, strict=True)
-    ]
-    return np.concatenate(q)

@@ -76,7 +76,7 @@ class TableTask:
             return Verdict(False, _letters_seen(came.joints, self.chain.joints))
         found = self._match(self.chain, came)
         if found is not None:
-            return Verdict(True, _choice(found))
+            return Verdict(True, choice(found))
         slips = table_slips(self.chain)
         return verdict_of(self._seen(came), explain_table(self.chain, came, slips, self._matches))
 
@@ -143,7 +143,7 @@ def _letters_seen(came: str, wanted: str) -> str:
     return f"Joint {k + 1} has the wrong letter: does it turn or slide?"
 
 
-def _choice(found: Match) -> str:
+def choice(found: Match) -> str:
     """Say which of the right choices the student made."""
     turned = [str(i + 1) for i, s in enumerate(found.signs) if s < 0]
     zeros = [str(i + 1) for i, o in enumerate(found.offsets) if abs(o) > 1e-4]

@@ -9,6 +9,7 @@ from dhlab import robot, robot_complex
 from dhlab.diagnosis import RobotTask
 from dhlab.diagnosis.chain_slips import table_slips
 from dhlab.diagnosis.table_model import chain_of, table_of
+from dhlab.errors import InputError
 from dhlab.grading.values import from_json, to_json
 from dhlab.kinematics.chain import Chain
 from dhlab.models import upper_limb
@@ -149,3 +150,10 @@ def test_one_chain_is_no_hand_and_a_hand_no_chain():
     text = RobotTask(hand().mechanism).judge([((), plain(as_robot(PLANAR)))]).text
     assert "A robot of 3 chains is asked for" in text
     assert "A robot is asked for" in RobotTask(PLANAR).judge([((), [1, 2])]).text
+
+
+def test_base_and_tool_of_a_robot_with_several_tips_are_not_free_at_once():
+    wanted = "the robot has 2 tips, and base_free and tool_free are both given; choose one"
+    with pytest.raises(InputError, match=wanted):
+        RobotTask(hand().mechanism, base_free=True, tool_free=True)
+    assert RobotTask(PLANAR, base_free=True, tool_free=True).judge([((), plain(as_robot(PLANAR)))])

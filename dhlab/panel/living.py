@@ -13,6 +13,8 @@ from nbconvert.exporters import HTMLExporter
 from nbconvert.preprocessors import Preprocessor
 from traitlets.config import Config
 
+from dhlab.panel.formulas import with_formulas
+
 WIDGET = "application/vnd.jupyter.widget-view+json"
 STATE = "application/vnd.jupyter.widget-state+json"
 OURS = "dhlab."
@@ -21,8 +23,9 @@ OURS = "dhlab."
 class LivingPage(Preprocessor):
     """Puts the pictures and sliders of dhlab, alive, in the place of its widgets.
 
-    What a notebook shows of other packages stays as it is. A widget that was not saved gives way
-    to whatever else its output holds: a still picture, or a line of text.
+    The formulas between its cells become MathML, which needs no network. What a notebook shows of
+    other packages stays as it is. A widget that was not saved gives way to whatever else its output
+    holds: a still picture, or a line of text.
     """
 
     def preprocess(self, nb: Any, resources: Any) -> tuple[Any, Any]:
@@ -70,6 +73,9 @@ def _enliven(nb: Any) -> None:
             del output.data[WIDGET]
     if is_ours:
         _prune(nb, models)
+        for cell in nb.cells:
+            if cell.cell_type == "markdown":
+                cell.source = with_formulas(cell.source)
 
 
 def _widget_outputs(nb: Any) -> Iterable[Any]:

@@ -167,8 +167,18 @@ def test_a_widget_that_was_not_saved_gives_way_to_the_rest_of_its_output(other):
     assert data == {other: "x"}
 
 
+def test_formulas_between_the_cells_need_no_renderer(arm):
+    notebook = saved(View().add(arm).widget)
+    notebook.cells.append(nbformat.v4.new_markdown_cell(r"About $\alpha$, not `$x$`."))
+    living(notebook)
+    assert "$x$" in notebook.cells[1].source
+    assert r"\alpha" not in notebook.cells[1].source
+    assert "<mi>α</mi>" in notebook.cells[1].source
+
+
 def test_a_notebook_without_dhlab_is_left_alone():
     notebook = saved(ipywidgets.FloatSlider(), ipywidgets.HBox((ipywidgets.Label("a"),)))
+    notebook.cells.append(nbformat.v4.new_markdown_cell(r"About $\alpha$."))
     before = json.dumps(notebook)
     living(notebook)
     assert json.dumps(notebook) == before

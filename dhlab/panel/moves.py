@@ -14,7 +14,8 @@ class Moves:
 
     A drag tells its grasp, but the slider that is dragged tells its value too, by another way that
     may be shorter. `_hand` is the joint of the last move and its grasp, 0 while only the slider
-    has told: so that one drag is one move whichever comes first.
+    has told: so that one drag is one move whichever comes first. `_told` is where a grasp last
+    brought which joint: a hand lets go late, and what has moved the robot since then stays.
 
     Parameters
     ----------
@@ -23,12 +24,13 @@ class Moves:
         For `random`: the same seed, the same configurations.
     """
 
-    __slots__ = ("_generator", "_hand", "_robot", "history")
+    __slots__ = ("_generator", "_hand", "_robot", "_told", "history")
 
     def __init__(self, robot: Robot, seed: int | None = None) -> None:
         self._robot = robot
         self._generator = np.random.default_rng(seed)
         self._hand: tuple[int, int] | None = None
+        self._told: tuple[int, float] | None = None
         self.history = History()
 
     def set_joint(self, index: int, value: float, grasp: int | None = None) -> None:
@@ -46,6 +48,10 @@ class Moves:
         with CHANGES:
             component, own = self._joint(index)
             changed = bool(component.q[own] != value)
+            if grasp == 0 and self._told == (index, value):
+                changed = False
+            if grasp is not None:
+                self._told = index, value
             if changed and self._begins(index, grasp):
                 self.history.add(self._robot.q)
                 self._hand = (index, grasp or 0)

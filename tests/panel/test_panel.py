@@ -297,6 +297,26 @@ def test_typing_after_a_drag_is_a_move_of_its_own(page, limb):
     assert limb.q[0] == np.radians(10)
 
 
+@pytest.mark.parametrize("move", ["code", "undo"])
+def test_a_hand_that_lets_go_late_leaves_what_has_moved_the_robot_since(page, limb, move):
+    start = limb.q
+    page.drag(1, 1, 0, 10.0)
+    if move == "code":
+        limb.q = start
+    else:
+        page.panel.undo()
+    page.drag(2, 0, 0, 10.0)
+    page.panel.flush()
+    assert np.array_equal(limb.q, start)
+    assert page.values[1] == 2
+
+
+def test_a_hand_that_lets_go_elsewhere_than_it_last_told_moves_the_robot_there(page, limb):
+    page.drag(1, 1, 0, 10.0)
+    page.drag(3, 0, 0, 20.0)
+    assert limb.q[0] == np.radians(20)
+
+
 def test_undo_passes_over_what_code_did(page, limb):
     page.release(0, 10.0)
     limb.q = Q0

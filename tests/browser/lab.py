@@ -8,10 +8,13 @@ object, ``globalThis[Symbol.for("dhlab.page")].views`` (see ``dhlab/view/static/
 import base64
 import json
 import urllib.request
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from io import BytesIO
 from itertools import count
 from pathlib import Path
+from time import monotonic
 from typing import Any
 
 import nbformat
@@ -36,10 +39,16 @@ EXECUTE = """async (code) => {
   return [content.status, said.join("")];
 }"""
 
-START = """(code) => {
-  const { kernel } = jupyterapp.shell.currentWidget.sessionContext.session;
-  kernel.requestExecute({ code }, true, { cellId: crypto.randomUUID() });
-}"""
+START = f"(code) => ({{ ended: ({EXECUTE})(code) }})"
+ENDED = "({ ended }) => ended"
+
+HOLD = """
+import pathlib, time
+pathlib.Path({begun!r}).touch()
+while not pathlib.Path({over!r}).exists():
+    time.sleep(0.01)
+"""
+PATIENCE = 60  # seconds that a kernel may take to come to what it is asked
 
 READY = """() => {
   const panel = globalThis.jupyterapp?.shell.currentWidget;
@@ -153,9 +162,33 @@ class Notebook(Window):
             raise AssertionError(said)
         return str(said)
 
-    def start(self, code: str) -> None:
-        """Let the kernel run code without waiting for its end."""
-        self.page.evaluate(START, code)
+    @contextmanager
+    def busy(self, code: str = "") -> Iterator[None]:
+        """Let the kernel run code, and then keep it busy for as long as the block runs."""
+        number = next(NUMBERS)
+        begun, over = (self.lab.root / f"{what}_{number}" for what in ("begun", "over"))
+        hold = HOLD.format(begun=str(begun), over=str(over))
+        running = self.page.evaluate_handle(START, f"{code}\n{hold}")
+        try:
+            limit = monotonic() + PATIENCE
+            while not begun.exists():
+                if monotonic() > limit:
+                    raise AssertionError(f"the kernel has not come to its code in {PATIENCE} s")
+                self.page.wait_for_timeout(20)
+            yield
+        finally:
+            over.touch()
+        status, said = running.evaluate(ENDED)
+        if status != "ok":
+            raise AssertionError(said)
+
+    def wait_until(self, condition: str, seconds: float = 30) -> None:
+        """Wait until a Python expression is true: what the page has told comes in its own time."""
+        limit = monotonic() + seconds
+        while not self.value(f"bool({condition})"):
+            if monotonic() > limit:
+                raise AssertionError(f"not within {seconds} s: {condition}")
+            self.page.wait_for_timeout(100)
 
     def value(self, expression: str) -> Any:
         """Value of a Python expression, arrays as arrays."""

@@ -148,19 +148,12 @@ def test_steps_go_on_while_the_kernel_is_busy(notebook, walk):
     notebook.execute("lesson.go(1)")
     walk.at_rest(clock, 1)
     expected = [notebook.value(f"lesson.timeline.states[{k}][lesson.product_of]") for k in (2, 3)]
-    done = notebook.evaluate(
-        "() => { globalThis.busy = jupyterapp.shell.currentWidget.sessionContext.session.kernel"
-        ".requestExecute({ code: 'import time; time.sleep(6)' }).done; "
-        "busy.then(() => (busy.over = true)); return 0; }"
-    )
-    assert done == 0
-    for k, wanted in zip((2, 3), expected, strict=True):
-        walk.press("ArrowRight")
-        walk.at_rest(clock, k)
-        assert np.allclose(walk.pose("F"), wanted, atol=1e-6)
-    assert not notebook.evaluate("() => Boolean(busy.over)")
-    notebook.page.wait_for_function("() => busy.over", timeout=60_000)
-    assert int(notebook.value("lesson.at")) == 3
+    with notebook.busy():
+        for k, wanted in zip((2, 3), expected, strict=True):
+            walk.press("ArrowRight")
+            walk.at_rest(clock, k)
+            assert np.allclose(walk.pose("F"), wanted, atol=1e-6)
+    notebook.wait_until("lesson.at == 3")
 
 
 def test_a_choice_is_asked_before_its_step_is_shown(notebook, walk):

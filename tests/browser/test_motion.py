@@ -55,8 +55,9 @@ def test_a_motion_plays_by_itself_and_ends_in_the_last_state(notebook, shown):
 
 
 def test_the_page_plays_while_the_kernel_is_busy(notebook, shown):
-    notebook.execute("animate(t, {arm: move}); main.flush()\nimport time; time.sleep(2.5)")
-    shown.wait_until(f"{joint(1)} === 1", seconds=0.5)
+    with notebook.busy("animate(t, {arm: move}); main.flush()"):
+        shown.wait_until(f"{joint(1)} > -0.9 && {joint(1)} < 0.9", seconds=30)
+        shown.wait_until(f"{joint(1)} === 1", seconds=30)
 
 
 def test_between_two_instants_joints_go_straight(notebook, shown):

@@ -44,8 +44,6 @@ PRESS_FIVE_TIMES = """handle => {
   }
 }"""
 
-STATUS = "jupyterapp.shell.currentWidget.sessionContext.session.kernel.status"
-BUSY, IDLE = (f"() => {STATUS} === '{status}'" for status in ("busy", "idle"))
 WORLD = """
 poses = {"": np.eye(4)}
 for path, node in view.nodes.items():
@@ -55,7 +53,6 @@ SAME_FRAME = """async (handle) => {
   const view = globalThis[Symbol.for("dhlab.page")].views.findLast(({ name }) => name === "limb");
   const stage = view.stages.at(-1);
   const { render } = stage.viewer.renderer.info;
-  const { kernel } = jupyterapp.shell.currentWidget.sessionContext.session;
   const frame = () => new Promise(requestAnimationFrame);
   while (!stage.settled) await frame();
   await new Promise((go) => setTimeout(go)); // an event of its own, as one of the mouse is
@@ -64,7 +61,7 @@ SAME_FRAME = """async (handle) => {
   handle.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight", cancelable: true }));
   const after = poses();
   await frame();
-  return { before, after, frames: render.frame - drawn, status: kernel.status };
+  return { before, after, frames: render.frame - drawn };
 }"""
 
 
@@ -113,6 +110,11 @@ class Sliders:
 
     def press(self, name):
         self.root.get_by_role("button", name=name, exact=True).click()
+
+    def wait_until_heard(self, index):
+        """Wait until the kernel has a joint where its slider stands."""
+        shown = self.values()[index]
+        self.notebook.wait_until(f"abs(np.degrees(limb.q[{index}]) - {shown}) < 0.051")
 
     def wait_for(self, values, seconds=5):
         """Wait until the readouts say these values [deg], to the last digit shown."""
@@ -183,17 +185,13 @@ def test_one_drag_is_one_step_back(notebook, sliders):
 
 
 def test_a_slider_moves_the_picture_while_the_kernel_is_busy(notebook, sliders):
-    notebook.page.evaluate(
-        "() => { jupyterapp.shell.currentWidget.sessionContext.session.kernel"
-        ".requestExecute({ code: 'import time; time.sleep(2)' }); }"
-    )
-    notebook.page.wait_for_timeout(300)
-    before = notebook.view("limb").pose("arm/1")
-    sliders.drag(0, -20)
-    during = notebook.view("limb").pose("arm/1")
-    assert np.abs(during - before).max() > 0.1
-    notebook.page.wait_for_timeout(2500)
-    assert np.degrees(notebook.value("limb.q")[0]) == pytest.approx(sliders.values()[0], abs=0.051)
+    shown = notebook.view("limb")
+    with notebook.busy():
+        before = shown.pose("arm/1")
+        sliders.drag(0, -20)
+        during = shown.pose("arm/1")
+        assert np.abs(during - before).max() > 0.1
+    sliders.wait_until_heard(0)
     assert notebook.value("limb.frames()['arm/1']") == pytest.approx(during, abs=2e-3)
 
 
@@ -205,14 +203,11 @@ def test_a_slider_moves_all_bodies_in_the_same_frame_while_the_kernel_is_busy(
     sliders.wait_for(np.degrees(notebook.value("limb.q")))
     handle = sliders.handle(index).element_handle()
     notebook.view("limb").evaluate("stage.element.scrollIntoView({ block: 'center' })")
-    notebook.start("import time; time.sleep(6)")
-    notebook.page.wait_for_function(BUSY)
-    seen = notebook.page.evaluate(SAME_FRAME, handle)
-    assert seen["status"] == "busy"
+    with notebook.busy():
+        seen = notebook.page.evaluate(SAME_FRAME, handle)
     assert seen["frames"] == 1
     assert seen["before"] != seen["after"]
-    notebook.page.wait_for_function(IDLE)
-    sliders.wait_for(np.degrees(notebook.value("limb.q")))
+    sliders.wait_until_heard(index)
     paths, page = zip(*seen["after"], strict=True)
     notebook.execute(WORLD)
     python = notebook.value(f"[poses[path] for path in {paths!r}]")
@@ -303,17 +298,13 @@ def test_the_sliders_follow_though_anywidget_has_given_up_waiting_for_them(noteb
 
 
 def test_a_group_folds_and_unfolds_while_the_kernel_is_busy(notebook, sliders):
-    notebook.page.evaluate(
-        "() => { jupyterapp.shell.currentWidget.sessionContext.session.kernel"
-        ".requestExecute({ code: 'import time; time.sleep(1.5)' }); }"
-    )
     rows = sliders.root.locator(".dhlab-rows").nth(1)
-    sliders.root.locator(".dhlab-title").nth(1).click()
-    notebook.page.wait_for_timeout(200)
-    assert not rows.is_visible()
-    sliders.root.locator(".dhlab-title").nth(1).click()
-    notebook.page.wait_for_timeout(200)
-    assert rows.is_visible()
+    title = sliders.root.locator(".dhlab-title").nth(1)
+    with notebook.busy():
+        title.click()
+        rows.wait_for(state="hidden")
+        title.click()
+        rows.wait_for(state="visible")
 
 
 def test_the_copied_code_gives_the_configuration_back(notebook, sliders):

@@ -236,14 +236,9 @@ class Shown:
         return list(self.evaluate("[...view.scene.paths.keys()]"))
 
     def pixels(self) -> NDArray[np.uint8]:
-        """The picture as it is drawn now, without bars, shape (height, width, 3).
-
-        A view out of sight has lent its graphics memory: it is brought into sight first.
-        """
-        if self.evaluate("stage.graphics.away"):
-            self.evaluate("stage.element.scrollIntoView({ block: 'center' })")
-            self.wait_until("!stage.graphics.away && stage.settled", seconds=30)
-        url = str(self.evaluate("stage.picture().toDataURL('image/png')"))
+        """The picture as it is drawn now, without bars, shape (height, width, 3)."""
+        kept = "stage.studio.picture().then((kept) => kept.toDataURL('image/png'))"
+        url = str(self.evaluate(kept))
         png = base64.b64decode(url.removeprefix("data:image/png;base64,"))
         return np.asarray(Image.open(BytesIO(png)).convert("RGB"))
 

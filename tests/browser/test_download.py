@@ -136,11 +136,27 @@ film"""
 
 
 def test_a_page_that_cannot_film_says_why(notebook):
-    shown = notebook.view("Öl&b: c")
-    shown.evaluate("(stage.filmFor = () => 'no camera', 0)")
+    able = "MediaRecorder.isTypeSupported"
+    notebook.evaluate(f"() => {{ globalThis.able = {able}; {able} = () => false; }}")
     notebook.execute(
         "animate([0, 1], {box: lambda t: transl((0, 0, t))})\nfilm = named.save_film('none.webm')"
     )
-    notebook.page.wait_for_timeout(500)
-    assert notebook.execute("print(film)") == "no film none.webm: no camera\n"
-    shown.evaluate("delete stage.filmFor")
+    notebook.wait_until("film.trouble")
+    assert notebook.execute("print(film)") == "no film none.webm: this browser makes no films\n"
+    notebook.evaluate(f"() => {{ {able} = globalThis.able; }}")
+
+
+def test_a_film_that_is_ended_before_its_first_picture_is_told_so(notebook):
+    shown = notebook.view("Öl&b: c")
+    shown.evaluate(
+        "(stage.graphics.use = (act) => new Promise(go => (globalThis.go = () => go(act()))), 0)"
+    )
+    notebook.execute(
+        "animate([0, 1], {box: lambda t: transl((0, 0, t))})\nfilm = named.save_film('none.webm')"
+    )
+    shown.wait_until("stage.studio.filming && globalThis.go")
+    shown.click("film")
+    shown.evaluate("(delete stage.graphics.use, globalThis.go())")
+    notebook.wait_until("film.trouble")
+    assert notebook.execute("print(film.trouble)") == "it was ended before it began\n"
+    shown.wait_until("!stage.studio.filming")

@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from .lab import PAGE
-from .test_download import played_back
-from .test_view import ORANGE, SETUP, WIDGETS, near
+from .test_download import played_back, saved
+from .test_view import ORANGE, SETUP, WIDGETS, middle, near
 
 COUNT = 20
 CELL = f"views = [View(f'v{{k}}', height=260, grid=False).add(box) for k in range({COUNT})]"
@@ -140,26 +141,61 @@ def test_a_cell_run_fifty_times_keeps_one_context_and_memory_flat(open_notebook)
     assert int(notebook.value(scenes)) == 1
 
 
-def test_a_view_out_of_sight_is_filmed_once_it_has_its_memory_back(notebook, browser, tmp_path):
-    path = tmp_path / "far.webm"
+@pytest.fixture
+def far(notebook):
+    """A view that was seen, is now far out of sight, and has lent its memory."""
     scroll_to(notebook, 0)
     for number in range(COUNT // 2, COUNT):
         scroll_to(notebook, number)
-    assert notebook.view("v0").evaluate("stage.graphics.away")
+    far = notebook.view("v0")
+    assert far.evaluate("stage.graphics.away")
+    return far
+
+
+def top_of(shown):
+    """Where the upper edge of a view is in the window [pixel]."""
+    return shown.evaluate("stage.element.getBoundingClientRect().top")
+
+
+def test_a_view_that_has_lent_its_memory_gives_its_present_picture_where_it_is(notebook, far):
+    top = top_of(far)
+    notebook.execute("box.set(color='#0072b2', pose=transl((0, 0, 0.1))); views[0].flush()")
+    far.wait_until("view.pose('box')[11] > 0.09")
+    picture = far.pixels()
+    assert near(picture, [0, 0x72, 0xB2]).mean() > 0.02
+    notebook.page.wait_for_function(f"() => {HELD} <= 8")
+    name, path = saved(far, "save")
+    assert name == "v0.png"
+    assert np.array_equal(np.asarray(Image.open(path).convert("RGB")), picture)
+    assert top_of(far) == top
+    assert np.abs(scroll_to(notebook, 0).pixels().astype(int) - picture).mean() < 0.5
+    notebook.execute("box.set(color='#d55e00', pose=np.eye(4)); [v.flush() for v in views]")
+
+
+def test_a_picture_asked_of_a_view_that_closes_is_none(notebook, far):
+    kept = far.evaluate("""(() => {
+        const kept = stage.studio.picture();
+        stage.close();
+        return kept.then((picture) => String(picture));
+    })()""")
+    assert kept == "undefined"
+    notebook.run_cell(1)
+    for number in range(COUNT):
+        notebook.view(f"v{number}")
+
+
+def test_a_view_out_of_sight_is_filmed_with_its_memory_back(notebook, far, browser, tmp_path):
+    path, top = tmp_path / "far.webm", top_of(far)
     notebook.execute(
         "animate([0, 0.5, 1], {box: lambda t: transl((0.3 * t, 0, 0))})\n"
         f"film = views[0].save_film({str(path)!r})"
     )
-    notebook.view("v0").wait_until(
-        "stage.playerBar.filmButton.getAttribute('aria-pressed') === 'true'"
-    )
-    notebook.view("v0").wait_until(
-        "stage.playerBar.filmButton.getAttribute('aria-pressed') === 'false'", seconds=60
-    )
-    for _ in range(100):
-        if notebook.value("film.arrived").item():
-            break
-        notebook.page.wait_for_timeout(100)
+    notebook.wait_until("film.arrived", seconds=60)
+    assert top_of(far) == top
+    drawn = far.evaluate("stage.viewer.renderer.info.render.frame")  # since the memory came back
+    assert drawn > 6
     _, first, last = played_back(browser, path.read_bytes())
     for picture in (first, last):
         assert near(picture, ORANGE, tolerance=90).mean() > 0.01
+    ways = [middle(near(picture, ORANGE, tolerance=90))[0] for picture in (first, last)]
+    assert ways[1] - ways[0] > 0.03 * first.shape[1]

@@ -123,15 +123,19 @@ export class Connection {
     }
   }
 
-  /** Make the film that Python has asked for, as soon as there is a picture. */
-  #film(number) {
+  /** Make the film that Python has asked for; if the output goes before, the next one makes it. */
+  async #film(number) {
     const stage = this.stages.at(-1);
     if (!stage) return void this.#films.push(number);
-    stage.element.scrollIntoView({ block: "nearest" });
-    if (stage.graphics.away) return void requestAnimationFrame(() => this.#film(number));
     const answer = (told, ...buffers) => this.#model.send({ film: number, ...told }, undefined, buffers);
-    const trouble = stage.filmFor(async (blob, ending) => answer({ ending }, await blob.arrayBuffer()));
-    if (trouble) answer({ trouble });
+    try {
+      const film = await stage.studio.film();
+      if (film) answer({ ending: film.ending }, await film.blob.arrayBuffer());
+      else if (this.stages.includes(stage)) answer({ trouble: "it was ended before it began" });
+      else this.#film(number);
+    } catch ({ message }) {
+      answer({ trouble: message });
+    }
   }
 
   #ask() {

@@ -14,56 +14,63 @@ export function filmKind() {
 }
 
 /**
- * Plays `player` once from its first instant to its last and hands the film to
- * `keep(blob, ending)`. Whoever draws calls `take` after each picture, which `copy(context, width, height)`
- * copies; `draw()` draws one at once. At its end the film calls `done()`.
+ * Plays `player` once from its first instant to its last. Whoever draws calls `take` after each
+ * picture, which `copy(context, width, height)` copies; `draw()` draws one at once.
  */
 export class Film {
   #player;
-  #copy;
-  #canvas;
-  #context;
-  #recorder;
-  #leave;
-  #loop;
   #draw;
+  #copy;
+  #canvas = document.createElement("canvas");
+  #context = null;
+  #recorder = null;
+  #leave = () => {};
+  #loop;
   #begun = false;
+  #ended = false;
   #rest = null;
 
-  constructor(player, { width, height, draw, copy, keep, done }) {
-    const [type, ending] = filmKind();
+  constructor(player, { draw, copy }) {
     this.#player = player;
     this.#draw = draw;
     this.#copy = copy;
-    const even = { width: width - (width % 2), height: height - (height % 2) };
-    this.#canvas = Object.assign(document.createElement("canvas"), even);
-    this.#context = this.#canvas.getContext("2d", { alpha: false, willReadFrequently: true });
     this.#loop = player.loop;
-    player.setLoop(false);
-    player.pause();
-    player.seek(player.start);
+  }
+
+  /** Promise of the film, `{ blob, ending }`, or of nothing if it was ended before. */
+  async shoot({ width, height }) {
+    if (this.#ended) return null;
+    const [type, ending] = filmKind();
+    Object.assign(this.#canvas, { width: width - (width % 2), height: height - (height % 2) });
+    this.#context = this.#canvas.getContext("2d", { alpha: false, willReadFrequently: true });
+    this.#player.setLoop(false);
+    this.#player.pause();
+    this.#player.seek(this.#player.start);
     this.#again();
     const stream = this.#canvas.captureStream(RATE); // begins with what the canvas shows now
     this.#recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: BITS });
-    this.#recorder.addEventListener("dataavailable", ({ data }) => {
-      if (data.size) keep(data, ending);
-    });
-    this.#recorder.addEventListener("stop", () => {
-      for (const track of stream.getTracks()) track.stop();
-      done();
-    });
+    const parts = [];
+    this.#recorder.addEventListener("dataavailable", ({ data }) => parts.push(data));
+    const stopped = new Promise((resolve) => this.#recorder.addEventListener("stop", resolve));
     this.#start();
+    await stopped;
+    for (const track of stream.getTracks()) track.stop();
+    const blob = new Blob(parts, { type });
+    if (!blob.size) throw new Error("the browser has made an empty film");
+    return { blob, ending };
   }
 
   /** The picture has been drawn anew. */
   take() {
-    this.#copy(this.#context, this.#canvas.width, this.#canvas.height);
+    if (this.#context) this.#copy(this.#context, this.#canvas.width, this.#canvas.height);
   }
 
-  /** End the film here and save it. */
+  /** End the film here. */
   end() {
     clearTimeout(this.#rest);
-    if (this.#recorder.state === "inactive") return;
+    if (this.#ended) return;
+    this.#ended = true;
+    if (!this.#recorder) return;
     this.#leave();
     this.#player.setLoop(this.#loop);
     this.#recorder.stop();

@@ -24,21 +24,23 @@ export class Graphics {
   #renderer;
   #context;
   #says;
-  #isBusy;
   #inSight = false;
+  #users = 0;
   #lent = false;
   #lost = false;
+  #closed = false;
   #waiting = null;
+  /** Ways to go on, of those who wait for the context. */
+  #waiters = [];
 
   /**
    * Of a three.js renderer. `says(lost)` is called when its context went away, though it should be
-   * there, and when it is back; one that `isBusy()` is not lent.
+   * there, and when it is back.
    */
-  constructor(renderer, says, isBusy) {
+  constructor(renderer, says) {
     this.#renderer = renderer;
     this.#context = renderer.getContext().getExtension("WEBGL_lose_context");
     this.#says = says;
-    this.#isBusy = isBusy;
     renderer.domElement.addEventListener("webglcontextlost", () => this.#onLost());
     renderer.domElement.addEventListener("webglcontextrestored", () => this.#onRestored());
     holders().add(this);
@@ -57,9 +59,24 @@ export class Graphics {
     lend();
   }
 
+  /**
+   * Call `act()` once there is a context, also out of sight; it is not lent until what `act` promises
+   * is there. Gives what `act` gives, or nothing where the view is closed before.
+   */
+  async use(act) {
+    this.#users += 1;
+    try {
+      if (this.away) await this.#back();
+      return this.#closed ? undefined : await act();
+    } finally {
+      this.#users -= 1;
+      lend();
+    }
+  }
+
   /** Give the context to others, if nobody needs it here. */
   lend() {
-    if (this.#inSight || this.#lost || this.#isBusy() || !this.#context) return;
+    if (this.#inSight || this.#lost || this.#users || !this.#context) return;
     holders().delete(this);
     this.#lent = true;
     this.#context.loseContext();
@@ -69,7 +86,19 @@ export class Graphics {
     clearTimeout(this.#waiting);
     this.#says = () => {};
     this.#lent = false;
+    this.#closed = true;
     holders().delete(this);
+    this.#goOn();
+  }
+
+  #back() {
+    if (this.#closed) return null;
+    this.#take();
+    return new Promise((resolve) => this.#waiters.push(resolve));
+  }
+
+  #goOn() {
+    for (const resolve of this.#waiters.splice(0)) resolve();
   }
 
   /** Hold a context again; it comes back a moment later. */
@@ -93,5 +122,6 @@ export class Graphics {
     this.#lost = this.#lent = false;
     this.#renderer.setRenderTarget(null); // it may have been lost in the middle of a shadow
     this.#says(false);
+    this.#goOn();
   }
 }

@@ -9,7 +9,3 @@ export function download(blob, name, ending) {
   link.click();
   setTimeout(() => URL.revokeObjectURL(url), 60_000);
 }
-
-export function savePicture(canvas, name) {
-  canvas.toBlob((blob) => blob && download(blob, name, "png"), "image/png");
-}

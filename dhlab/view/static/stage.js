@@ -3,14 +3,14 @@
  * while it can be seen, and takes everything with it when it closes.
  */
 import { Camera, DIRECTIONS } from "./camera.js";
-import { Film, filmKind } from "./film.js";
+import { filmKind } from "./film.js";
 import { createFrame, mindFocus } from "./frame.js";
 import { Graphics } from "./graphics.js";
 import { createMeshcat, THREE } from "./meshcat.js";
 import { createNotice } from "./notice.js";
 import { PlayerBar } from "./playerbar.js";
-import { download, savePicture } from "./saving.js";
-import { Surroundings, contrastOf, paintBackground, paintOf } from "./surroundings.js";
+import { Studio } from "./studio.js";
+import { Surroundings, contrastOf, paintOf } from "./surroundings.js";
 import { actionOfKey, createToolbar } from "./toolbar.js";
 import { Tree } from "./tree.js";
 
@@ -29,21 +29,17 @@ export class Stage {
   /** Before the output is in the page it has no size, and lines would be as wide as the picture. */
   #sized = false;
   #observers = [];
-  #film = null;
 
   constructor(scene, element, { name, height, background, grid, controls, again }) {
     this.scene = scene;
     this.name = name;
+    this.studio = new Studio(this);
     this.#build(height, again);
     this.meshcat = createMeshcat(this.pane, () => this.draw());
     element.append(this.element);
     this.viewer = this.meshcat.viewer;
     this.canvas = this.viewer.renderer.domElement;
-    this.graphics = new Graphics(
-      this.viewer.renderer,
-      (lost) => this.#graphicsLost(lost),
-      () => this.#film !== null,
-    );
+    this.graphics = new Graphics(this.viewer.renderer, (lost) => this.#graphicsLost(lost));
     if (!controls) this.viewer.gui.domElement.style.display = "none";
     this.camera = new Camera(this.viewer, () => (this.#touched = true));
     this.surroundings = new Surroundings(this.viewer.scene, this.viewer.renderer);
@@ -86,7 +82,7 @@ export class Stage {
   }
 
   playersChanged() {
-    this.playerBar.follow(this.scene.players.findLast(({ stops }) => !stops.length) ?? null);
+    this.playerBar.follow(this.player);
     this.#stale.bounds ||= "grown";
   }
 
@@ -96,9 +92,14 @@ export class Stage {
     this.draw();
   }
 
-  /** Draw in the next frame, if anybody can see it. */
+  /** The player of the planned motion in the player bar; a lesson's has a bar of its own. */
+  get player() {
+    return this.scene.players.findLast(({ stops }) => !stops.length) ?? null;
+  }
+
+  /** Draw in the next frame, if anybody can see it or films it. */
   draw() {
-    if (this.#frame !== null || !this.#inSight) return;
+    if (this.#frame !== null || !(this.#inSight || this.studio.filming)) return;
     this.#frame = requestAnimationFrame(() => {
       this.#frame = null;
       this.render();
@@ -121,42 +122,7 @@ export class Stage {
     this.viewer.renderer.shadowMap.needsUpdate = this.#stale.shadows;
     this.#stale.shadows = false;
     this.viewer.render();
-    this.#film?.take();
-  }
-
-  /** The present picture, background included, without the bars: a canvas to keep. */
-  picture() {
-    const { width, height } = this.canvas;
-    const kept = Object.assign(document.createElement("canvas"), { width, height });
-    this.render();
-    this.#copy(kept.getContext("2d"), width, height);
-    return kept;
-  }
-
-  /** Film the planned motion in the player bar; while it is filmed, end the film there. */
-  film(keep = (blob, ending) => download(blob, this.name, ending)) {
-    if (this.#film) return void this.#film.end();
-    this.#film = new Film(this.scene.players.at(-1), {
-      width: this.canvas.width,
-      height: this.canvas.height,
-      keep,
-      draw: () => this.render(),
-      copy: (...onto) => this.#copy(...onto),
-      done: () => {
-        this.#film = null;
-        this.playerBar.showFilming(false);
-      },
-    });
-    this.playerBar.showFilming(true);
-  }
-
-  /** Film for somebody who asks for it; returns why that cannot be, or nothing. */
-  filmFor(keep) {
-    if (!filmKind()) return "this browser makes no films";
-    if (this.#film) return "another film is just being made";
-    if (this.scene.players.at(-1)?.stops.length !== 0) return "nothing moves in the page";
-    this.film(keep);
-    return "";
+    this.studio.drawn();
   }
 
   act(name) {
@@ -164,7 +130,7 @@ export class Stage {
     else if (name === "full") this.#toggleFullScreen();
     else if (name === "background") {
       this.setBackground(this.background === "light" ? "dark" : "light");
-    } else if (name === "save") savePicture(this.picture(), this.name);
+    } else if (name === "save") this.studio.savePicture();
     else this.look(DIRECTIONS[name]);
   }
 
@@ -187,7 +153,7 @@ export class Stage {
   }
 
   close() {
-    this.#film?.end();
+    this.studio.close();
     this.graphics.close();
     this.#inSight = false;
     this.scene.observers.delete(this);
@@ -205,7 +171,7 @@ export class Stage {
     Object.assign(this, createFrame(height));
     this.notice = createNotice("lost", LOST, "Draw it again", again);
     this.ended = createNotice("ended", ENDED);
-    this.playerBar = new PlayerBar(filmKind() && (() => this.film()));
+    this.playerBar = new PlayerBar(filmKind() && (() => this.studio.saveFilm()));
     const toolbar = createToolbar((name) => this.act(name));
     this.element.append(this.playerBar.element, this.caption, toolbar, this.ended, this.notice);
   }
@@ -244,6 +210,7 @@ export class Stage {
     const { clientWidth: width, clientHeight: height } = this.pane;
     if (width === 0 || height === 0) return;
     this.#sized = true;
+    this.studio.entered();
     this.viewer.set_3d_pane_size(width, height);
     this.tree.resize(width, height, this.camera.fov);
     if (!this.#touched) this.look(this.camera.direction, false);
@@ -259,7 +226,7 @@ export class Stage {
     const below = this.#box.min.z < this.surroundings.ground.level - 0.02 * this.surroundings.ground.radius;
     if (bounds || below) this.#suit();
     if (bounds && fit && !this.#touched && !(this.#framed && this.camera.sees(this.#points))) {
-      this.camera.fit(this.#fitPoints(), this.camera.direction, this.#framed);
+      this.camera.fit(this.#fitPoints(), this.camera.direction, this.#framed && this.#inSight);
     }
     if (bounds) this.#framed = this.#points.length > 0;
   }
@@ -282,12 +249,6 @@ export class Stage {
   #fitPoints() {
     if (this.#points.length) return this.#points;
     return [new THREE.Vector3(-1, -1, 0), new THREE.Vector3(1, 1, 1)];
-  }
-
-  /** Copy what has just been drawn, in the same task. */
-  #copy(context, width, height) {
-    paintBackground(context, this.background, width, height);
-    context.drawImage(this.canvas, 0, 0, width, height);
   }
 
   #toggleFullScreen() {

@@ -85,8 +85,7 @@ def paint(drawn: Drawn, eye: Eye, size: tuple[int, int], background: str) -> NDA
     picture : ndarray of uint8, shape (height, width, 3)
     """
     width, height = (FINER * length for length in size)
-    corners, color = _corners(drawn, eye, height)
-    corners += (width / 2, height / 2, 0)
+    corners, color = _corners(drawn, eye, width, height)
     owner, pixel, near = _cover(corners, width, height)
     back = np.array([int(background[i : i + 2], 16) for i in (1, 3, 5)]) / 255
     canvas = np.tile(back, (width * height, 1))
@@ -95,7 +94,8 @@ def paint(drawn: Drawn, eye: Eye, size: tuple[int, int], background: str) -> NDA
     _lay(canvas, depth, pixel[solid], near[solid], color[owner[solid]])
     seen = ~solid & (near > depth[pixel])
     _lay(canvas, depth, pixel[seen], near[seen], color[owner[seen]])
-    small = canvas.reshape(size[1], FINER, size[0], FINER, 3).mean(axis=(1, 3))
+    fine = canvas.reshape(size[1], FINER, size[0], FINER, 3)
+    small = sum(fine[:, i, :, j] for i in range(FINER) for j in range(FINER)) / FINER**2
     picture: NDArray[np.uint8] = np.round(255 * small).astype(np.uint8)
     return picture
 
@@ -115,18 +115,19 @@ def to_png(picture: NDArray[np.uint8]) -> bytes:
     palette, index = _palette(picture.reshape(-1, 3))
     lines = np.hstack([np.zeros((height, 1), np.uint8), index.reshape(height, width)])
     header = struct.pack(">IIBBBBB", width, height, 8, 3, 0, 0, 0)
-    data = zlib.compress(lines.tobytes(), 9)
+    data = zlib.compress(lines.tobytes(), 6)
     chunks = ((b"IHDR", header), (b"PLTE", palette.tobytes()), (b"IDAT", data), (b"IEND", b""))
     return b"\x89PNG\r\n\x1a\n" + b"".join(_chunk(kind, content) for kind, content in chunks)
 
 
-def _corners(drawn: Drawn, eye: Eye, height: int) -> tuple[Floats, Floats]:
-    """Return triangles in pixels from the middle, with nearness, and their colours.
+def _corners(drawn: Drawn, eye: Eye, width: int, height: int) -> tuple[Floats, Floats]:
+    """Return the corners of k triangles and their colours, shapes (3, 3, k) and (k, 4).
 
-    A line becomes two triangles as wide as the line, a little nearer than the face it bounds.
+    Of the corners the first index is x, y [pixel] or nearness, the second the corner. A line
+    becomes two triangles as wide as the line, a little nearer than the face it bounds.
     """
     flat, near = eye.project(drawn.points)
-    points = np.dstack([flat * (0.5 * height) * (1, -1), near])
+    points = np.dstack([flat * (0.5 * height) * (1, -1) + (width / 2, height / 2), near])
     is_line = drawn.face[:, 3] == 0
     faces, ends = points[~is_line], points[is_line][:, :2]
     ends[..., 2] += 0.004 * eye.distance
@@ -138,7 +139,8 @@ def _corners(drawn: Drawn, eye: Eye, height: int) -> tuple[Floats, Floats]:
     strips = [np.stack(three, axis=1) for three in ((a, b, c), (b, c, d))]
     line = drawn.line[is_line]
     corners = np.concatenate([faces, *strips])
-    return corners, np.concatenate([drawn.face[~is_line], line, line])
+    color = np.concatenate([drawn.face[~is_line], line, line])
+    return np.ascontiguousarray(corners.T), color
 
 
 def _cover(corners: Floats, width: int, height: int) -> tuple[Integers, Integers, Floats]:
@@ -146,29 +148,26 @@ def _cover(corners: Floats, width: int, height: int) -> tuple[Integers, Integers
 
     Each triangle is cut into rows first, and each row into its pixels.
     """
-    low = np.clip(np.ceil(corners[..., 1].min(axis=1) - 0.5), 0, height).astype(int)
-    high = np.clip(np.ceil(corners[..., 1].max(axis=1) - 0.5), 0, height).astype(int)
-    owner, y = _spread(low, high)
-    middle = y + 0.5
-    here, there = corners[owner], np.roll(corners, -1, axis=1)[owner]
-    rise = there[..., 1] - here[..., 1]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        way = (middle[:, None] - here[..., 1]) / rise
-        cut = here[..., 0] + way * (there[..., 0] - here[..., 0])
-    crossed = (way >= 0) & (way <= 1) & (rise != 0)
-    left = np.where(crossed, cut, np.inf).min(axis=1)
-    right = np.where(crossed, cut, -np.inf).max(axis=1)
-    left, right = np.nan_to_num(left, posinf=width), np.nan_to_num(right, neginf=0)
+    x, y, near = corners
+    low = np.clip(np.ceil(y.min(axis=0) - 0.5), 0, height).astype(int)
+    high = np.clip(np.ceil(y.max(axis=0) - 0.5), 0, height).astype(int)
+    owner, row = _spread(low, high)
+    middle = row + 0.5
+    left, right = np.full(len(row), float(width)), np.zeros(len(row))
+    for side in range(3):
+        x0, y0, x1, y1 = (at[k][owner] for k in (side, (side + 1) % 3) for at in (x, y))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            way = (middle - y0) / (y1 - y0)
+        crossed = (way >= 0) & (way <= 1)
+        cut = x0 + way * (x1 - x0)
+        np.minimum(left, cut, out=left, where=crossed)
+        np.maximum(right, cut, out=right, where=crossed)
     begin = np.clip(np.ceil(left - 0.5), 0, width).astype(int)
-    row, x = _spread(begin, np.maximum(np.clip(np.ceil(right - 0.5), 0, width).astype(int), begin))
-    slope = _slopes(corners)[owner[row]]
-    first = corners[owner[row], 0]
-    near = (
-        first[:, 2]
-        + slope[:, 0] * (x + 0.5 - first[:, 0])
-        + slope[:, 1] * (middle[row] - first[:, 1])
-    )
-    return owner[row], y[row] * width + x, near
+    piece, column = _spread(begin, np.clip(np.ceil(right - 0.5), 0, width).astype(int))
+    right_on, down = (slope[owner] for slope in _slopes(corners))
+    first = near[0][owner] + right_on * (0.5 - x[0][owner]) + down * (middle - y[0][owner])
+    pixel = row[piece] * width + column
+    return owner[piece], pixel, first[piece] + right_on[piece] * column
 
 
 def _spread(begin: Integers, end: Integers) -> tuple[Integers, Integers]:
@@ -176,40 +175,38 @@ def _spread(begin: Integers, end: Integers) -> tuple[Integers, Integers]:
     length = np.maximum(end - begin, 0)
     owner = np.repeat(np.arange(len(begin)), length)
     first = np.cumsum(length) - length
-    return owner, np.arange(len(owner)) - first[owner] + begin[owner]
+    return owner, np.arange(len(owner)) + (begin - first)[owner]
 
 
-def _slopes(corners: Floats) -> Floats:
+def _slopes(corners: Floats) -> tuple[Floats, Floats]:
     """How nearness grows from pixel to pixel, to the right and down; 0 for a triangle on edge."""
-    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    flat = np.abs(normal[:, 2]) < 1e-9
-    slope: Floats = -normal[:, :2] / np.where(flat, 1, normal[:, 2])[:, None]
-    slope[flat] = 0
-    return slope
+    (ux, uy, uz), (vx, vy, vz) = (corners[:, k] - corners[:, 0] for k in (1, 2))
+    area = ux * vy - uy * vx
+    flat = np.abs(area) < 1e-9
+    scale = np.where(flat, 0, 1 / np.where(flat, 1, area))
+    return (uz * vy - uy * vz) * scale, (ux * vz - uz * vx) * scale
 
 
 def _lay(canvas: Floats, depth: Floats, pixel: Integers, near: Floats, color: Floats) -> None:
-    """Lay pixels onto the canvas, the nearest last."""
-    order = np.argsort(near, kind="stable")
-    pixel, near, color = pixel[order], near[order], color[order]
-    last = np.full(len(canvas), -1)
-    last[pixel] = np.arange(len(pixel))
-    there = np.flatnonzero(last >= 0)
-    top = color[last[there]]
-    canvas[there] += top[:, 3:] * (top[:, :3] - canvas[there])
-    depth[there] = near[last[there]]
+    """Lay pixels onto the canvas; of those at one place the nearest is seen."""
+    np.maximum.at(depth, pixel, near)
+    top = np.flatnonzero(near == depth[pixel])
+    there, ink = pixel[top], color[top]
+    canvas[there] += ink[:, 3:] * (ink[:, :3] - canvas[there])
 
 
 def _palette(colors: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
     """Return at most 256 colours, and for each pixel the number of the nearest."""
-    coarse = colors & 0xF8
-    code = coarse.astype(np.int64) @ (1 << 16, 1 << 8, 1)
-    found, back, count = np.unique(code, return_inverse=True, return_counts=True)
-    rgb = np.column_stack([found >> 16, (found >> 8) & 255, found & 255])
-    kept = rgb[np.argsort(-count, kind="stable")[:256]]
-    nearest = ((rgb[:, None] - kept[None]) ** 2).sum(axis=2).argmin(axis=1)
+    red, green, blue = (colors >> 3).astype(np.intp).T
+    code = (red << 10) + (green << 5) + blue
+    count = np.bincount(code, minlength=1 << 15)
+    found = np.flatnonzero(count)
+    rgb = 8 * np.column_stack([found >> 10, (found >> 5) & 31, found & 31])
+    kept = rgb[np.argsort(-count[found], kind="stable")[:256]]
+    number = np.zeros(len(count), np.uint8)
+    number[found] = ((rgb[:, None] - kept[None]) ** 2).sum(axis=2).argmin(axis=1)
     palette = np.minimum(kept + 4, 255).astype(np.uint8)
-    return palette, nearest.astype(np.uint8)[back]
+    return palette, number[code]
 
 
 def _chunk(kind: bytes, content: bytes) -> bytes:

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from dhlab.arrays import as_points, as_pose, read_only
+from dhlab.arrays import as_number, as_points, as_pose, read_only
 from dhlab.shapes.faces import Corners, as_faces, corners_of
 from dhlab.shapes.shading import corner_normals, feature_edges
 from dhlab.shapes.triangulation import triangulate
@@ -144,11 +144,32 @@ class Mesh:
         """
         T = as_pose(T, "the pose of a mesh")
         turned = T[:3, :3].T
-        moved = object.__new__(Mesh)  # its faces are as good as those of this one
-        vertices = read_only(self.vertices @ turned + T[:3, 3])
-        normals = read_only(self.normals @ turned)
-        moved._keep(vertices, self.faces, self.corners, normals, self._triangles)
-        return moved
+        return self._with(self.vertices @ turned + T[:3, 3], self.normals @ turned)
+
+    def scaled(self, x: float, y: float, z: float) -> "Mesh":
+        """Give this mesh stretched along the axes of its coordinates.
+
+        Parameters
+        ----------
+        x, y, z : float
+            How many times as long along each, above 0.
+
+        Examples
+        --------
+        >>> from dhlab import shapes
+        >>> shapes.cube(1).scaled(1, 2, 3).volume
+        6.0
+        """
+        factors = [
+            as_number(f, f"{a} of scaled", above=0) for f, a in zip((x, y, z), "xyz", strict=True)
+        ]
+        normals = self.normals / factors
+        normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+        return self._with(self.vertices * factors, normals)
+
+    def _with(self, vertices: NDArray[np.float64], normals: NDArray[np.float64]) -> "Mesh":
+        """Give a mesh with the faces of this one, which are as good with these vertices."""
+        return _good(vertices, self.faces, self.corners, normals, self._triangles)
 
     def merged(self, *others: "Mesh") -> "Mesh":
         """Give one mesh with the vertices and faces of this and the others, in this order.
@@ -163,12 +184,30 @@ class Mesh:
         >>> shapes.cube(1).merged(shapes.pyramid(1, 1, 2))
         Mesh(13 vertices, 11 faces)
         """
+        meshes = (self, *others)
         faces: list[tuple[int, ...]] = []
         first = 0
-        for mesh in (self, *others):
+        for mesh in meshes:
             faces += [tuple(first + v for v in face) for face in mesh.faces]
             first += len(mesh.vertices)
-        return Mesh(np.vstack([mesh.vertices for mesh in (self, *others)]), tuple(faces))
+        starts = np.cumsum([0, *(len(mesh.corners.face) for mesh in meshes[:-1])])
+        triangles = [mesh._triangles + k for mesh, k in zip(meshes, starts, strict=True)]
+        vertices = np.vstack([mesh.vertices for mesh in meshes])
+        normals = np.vstack([mesh.normals for mesh in meshes])
+        return _good(vertices, tuple(faces), corners_of(faces), normals, np.concatenate(triangles))
+
+
+def _good(
+    vertices: NDArray[np.float64],
+    faces: tuple[tuple[int, ...], ...],
+    corners: Corners,
+    normals: NDArray[np.float64],
+    triangles: NDArray[np.intp],
+) -> Mesh:
+    """Give a mesh of what is known to be good: faces of a mesh that exists."""
+    mesh = object.__new__(Mesh)
+    mesh._keep(_sealed(vertices), faces, corners, _sealed(normals), triangles)
+    return mesh
 
 
 def _sealed(a: _Array) -> _Array:

@@ -12,6 +12,14 @@ written with three digits still make a flat face, and nobody sees the difference
 SLENDER = 1e-9
 """A face or a turn narrower than this part of its size counts as a straight line."""
 
+PLUMP = 1e6
+"""A body whose lengths differ by a smaller factor has no slender face."""
+
+
+def is_plump(*lengths: float) -> bool:
+    """Whether a body of such lengths, all above 0, surely has no slender face."""
+    return max(lengths) < PLUMP * min(lengths) < float("inf")
+
 
 def fault_of(outline: NDArray[np.float64], names: Sequence[object]) -> str | None:
     """What keeps an outline from being a flat, simple polygon, in words, or None.

@@ -1,6 +1,7 @@
 """Blocks with flat faces, and the two that are no bodies: a polygon and a polyline."""
 
 from collections.abc import Iterable
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from dhlab.errors import InputError
 from dhlab.shapes.faces import ungrouped
 from dhlab.shapes.lines import Lines
 from dhlab.shapes.mesh import Mesh
+from dhlab.shapes.outline import is_plump
 from dhlab.shapes.profile import as_outline, as_plane_or_space, in_space, signed_area
 
 
@@ -78,7 +80,7 @@ def cuboid(a: float, b: float, c: float) -> Mesh:
     """
     lengths = zip("abc", (a, b, c), strict=True)
     x, y, z = (as_number(length, f"{name} of cuboid", above=0) for name, length in lengths)
-    return prism(_rectangle(x, y), z)
+    return _unit_cube().scaled(x, y, z) if is_plump(x, y, z) else prism(_rectangle(x, y), z)
 
 
 def cube(a: float) -> Mesh:
@@ -248,6 +250,11 @@ def polyline(points: ArrayLike, closed: bool = False) -> Lines:
     segments = np.column_stack([np.arange(len(rows)), ahead])
     vertices = rows if rows.shape[1] == 3 else in_space(rows)
     return Lines(vertices, segments if closed else segments[:-1])
+
+
+@cache
+def _unit_cube() -> Mesh:
+    return prism(_rectangle(1, 1), 1)
 
 
 def _rectangle(a: float, b: float) -> np.ndarray[tuple[int, int], np.dtype[np.float64]]:

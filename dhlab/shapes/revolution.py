@@ -1,5 +1,6 @@
 """Round blocks: every one is a profile turned about the z axis."""
 
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -8,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from dhlab.arrays import as_number, as_points
 from dhlab.errors import InputError
 from dhlab.shapes.mesh import Mesh
-from dhlab.shapes.outline import SLENDER, crossing_sides
+from dhlab.shapes.outline import SLENDER, crossing_sides, is_plump
 from dhlab.shapes.profile import as_count
 
 SEGMENTS = 32
@@ -85,7 +86,10 @@ def cylinder(radius: float, height: float, segments: int = SEGMENTS) -> Mesh:
     """
     r = as_number(radius, "radius of cylinder", above=0)
     top = as_number(height, "height of cylinder", above=0)
-    return srevolution([(0, 0), (r, 0), (r, top), (0, top)], segments)
+    n = as_count(segments, "segments of cylinder", minimum=3)
+    if is_plump(r, top):
+        return _unit_cylinder(n).scaled(r, r, top)
+    return srevolution([(0, 0), (r, 0), (r, top), (0, top)], n)
 
 
 def cone(radius: float, height: float, segments: int = SEGMENTS) -> Mesh:
@@ -133,8 +137,18 @@ def sphere(radius: float, segments: int = SEGMENTS) -> Mesh:
     """
     r = as_number(radius, "radius of sphere", above=0)
     n = as_count(segments, "segments of sphere", minimum=3)
-    height = np.linspace(-np.pi / 2, np.pi / 2, max(n // 2, 2) + 1)
-    return srevolution(r * np.column_stack([np.cos(height), np.sin(height)]), n)
+    return _unit_sphere(n).scaled(r, r, r)
+
+
+@lru_cache(maxsize=16)
+def _unit_cylinder(segments: int) -> Mesh:
+    return srevolution([(0, 0), (1, 0), (1, 1), (0, 1)], segments)
+
+
+@lru_cache(maxsize=16)
+def _unit_sphere(segments: int) -> Mesh:
+    height = np.linspace(-np.pi / 2, np.pi / 2, max(segments // 2, 2) + 1)
+    return srevolution(np.column_stack([np.cos(height), np.sin(height)]), segments)
 
 
 def _as_profile(profile: ArrayLike) -> NDArray[np.float64]:

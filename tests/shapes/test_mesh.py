@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 
 from dhlab import shapes
 from dhlab.errors import InputError
@@ -78,6 +78,67 @@ def test_merging_adds_up_volumes_and_leaves_the_parts_as_they_were():
     assert merged.is_closed
     assert len(merged.vertices) == sum(len(part.vertices) for part in parts)
     assert merged.digest == Mesh.merged(*parts).digest
+
+
+def assert_as_good_as_new(mesh):
+    """What a mesh took over from others is what its vertices and faces give by themselves."""
+    new = Mesh(mesh.vertices, mesh.faces)
+    assert_allclose(mesh.normals, new.normals, atol=1e-12)
+    for mine, own in zip(mesh.corners, new.corners, strict=True):
+        assert_array_equal(mine, own)
+    assert mesh.triangles.shape == new.triangles.shape
+    assert_allclose(triangle_areas(mesh).sum(), triangle_areas(new).sum())
+    assert_allclose(mesh.volume, new.volume)
+    assert mesh.digest == new.digest
+    assert_array_equal(mesh.edges, new.edges)
+
+
+STEPS = shapes.prism(stairs(3, 1), 2)
+BODIES = [BOX, shapes.cone(1, 2), shapes.sphere(1, 7), STEPS, shapes.cylinder(1, 3, 5)]
+
+
+@SEEDED
+@given(st.lists(st.sampled_from(BODIES), min_size=1, max_size=4), SEED)
+def test_a_mesh_made_of_others_is_as_one_made_of_its_vertices_and_faces(bodies, seed):
+    rng = np.random.default_rng(seed)
+    parts = [body.scaled(*rng.uniform(0.1, 9, 3)).transformed(random_pose(rng)) for body in bodies]
+    assert_as_good_as_new(parts[0])
+    assert_as_good_as_new(parts[0].merged(*parts[1:]))
+
+
+@pytest.mark.parametrize(
+    ("block", "profile"),
+    [
+        (shapes.cylinder(0.2, 3), [(0, 0), (0.2, 0), (0.2, 3), (0, 3)]),
+        (shapes.cylinder(2, 0.1, 5), [(0, 0), (2, 0), (2, 0.1), (0, 0.1)]),
+    ],
+)
+def test_a_cylinder_is_its_profile_turned(block, profile):
+    turned = shapes.srevolution(profile, (len(block.vertices) - 2) // 2)
+    assert_allclose(block.vertices, turned.vertices, atol=1e-15)
+    assert_as_good_as_new(block)
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1, 1e6])
+def test_a_box_and_a_sphere_of_any_size_are_what_they_say(scale):
+    box, ball = shapes.cuboid(scale, 2 * scale, 3 * scale), shapes.sphere(scale, 8)
+    assert_allclose(np.ptp(box.bounds, axis=0), [scale, 2 * scale, 3 * scale])
+    assert_allclose(np.linalg.norm(ball.vertices, axis=1), scale)
+    assert_as_good_as_new(box)
+    assert_as_good_as_new(ball)
+
+
+@pytest.mark.parametrize(
+    ("make", "text"),
+    [
+        (lambda: shapes.cylinder(1e-12, 1), "points 0 and 1 at the same place"),
+        (lambda: shapes.cuboid(1e-12, 1, 1), "profile of prism has no area"),
+        (lambda: BOX.scaled(1, 0, 1), "y of scaled must be above 0, got 0"),
+    ],
+)
+def test_a_body_without_width_is_refused(make, text):
+    with pytest.raises(InputError, match=text):
+        make()
 
 
 def test_equal_content_has_an_equal_digest_and_any_change_another():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 import weakref
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, ClassVar, Protocol, Self
 
 import numpy as np
@@ -209,15 +209,15 @@ class Handle:
     def _adopt(self, *children: Handle) -> None:
         """Become the parent of handles that have none; all are checked first."""
         self._check_free(*children)
-        taken = {child.name for child in self.children()}
+        names = Names(child.name for child in self.children())
         for child in children:
-            if child._name in taken:
+            if child._name in names:
                 raise InputError(f"two parts of '{self.name}' are called {child._name!r}")
-            taken |= {child._name} if child._name is not None else set()
+            if child._name is not None:
+                names.take(child._name)
         for child in children:
             if child._name is None:
-                child._name = unused_name(child.kind, taken)
-                taken.add(child._name)
+                child._name = names.take(child.kind)
             child._parent = self
         for handle in self.ancestors():
             handle._carried = None
@@ -244,16 +244,41 @@ class Handle:
             handle = handle._parent
 
 
-def unused_name(name: str, taken: set[str]) -> str:
-    """Return `name`, or `name_2`, `name_3`, ... : the first that is not taken.
+class Names:
+    """Names that are taken, among siblings or in a picture.
+
+    Parameters
+    ----------
+    taken : iterable of str
 
     Examples
     --------
-    >>> unused_name("block", {"block", "block_2"})
+    >>> names = Names(["block", "block_2"])
+    >>> names.take("block"), names.take("block"), names.take("arm")
+    ('block_3', 'block_4', 'arm')
+    >>> names.give("block_3")
+    >>> names.take("block")
     'block_3'
     """
-    candidate, count = name, 1
-    while candidate in taken:
-        count += 1
-        candidate = f"{name}_{count}"
-    return candidate
+
+    def __init__(self, taken: Iterable[str] = ()) -> None:
+        self._taken = set(taken)
+        self._counts: dict[str, int] = {}
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._taken
+
+    def take(self, name: str) -> str:
+        """Take `name`, or `name_2`, `name_3`, ... : the first that is free; return which."""
+        free, count = name, self._counts.get(name, 1)
+        while free in self._taken:
+            count += 1
+            free = f"{name}_{count}"
+        self._counts[name] = count
+        self._taken.add(free)
+        return free
+
+    def give(self, name: str) -> None:
+        """Give a name back."""
+        self._taken.discard(name)
+        self._counts.clear()

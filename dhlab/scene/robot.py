@@ -16,7 +16,7 @@ from dhlab.kinematics.transforms import inverse
 from dhlab.scene import setting
 from dhlab.scene.block import Block, BlockComplex
 from dhlab.scene.component import Component
-from dhlab.scene.handle import CHANGES, Handle, unused_name
+from dhlab.scene.handle import CHANGES, Handle, Names
 from dhlab.scene.marks import Trail
 from dhlab.scene.node import IDENTITY, Clock, Node
 from dhlab.scene.robot_frames import branches_of, frame_at, frames_of, trails_of
@@ -210,7 +210,7 @@ class Robot(Handle):
             child = robots[0]
             if len(robots) > 1:
                 child = Robot(Chain(rows=(), joints=""))
-                child._name = unused_name("complex", {c.name for c in self.children()})
+                child._name = Names(c.name for c in self.children()).take("complex")
                 child._attach(0, *robots)
             self._attach(frame, child)
             self._changed()

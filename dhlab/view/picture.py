@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
-from dhlab.scene.handle import Handle, unused_name
+from dhlab.scene.handle import Handle, Names
 from dhlab.scene.node import Node
 from dhlab.view.commands import Command, diff
 
@@ -27,6 +27,7 @@ class Picture:
 
     def __init__(self) -> None:
         self._names: dict[Handle, str] = {}
+        self._taken = Names()
         self._drawn: dict[str, dict[str, Node]] = {}
         self._stale: set[Handle] = set()
         self._gone: set[str] = set()
@@ -50,14 +51,16 @@ class Picture:
 
     def add(self, handle: Handle) -> str:
         """Take a handle in, under its name or the name with a number; return which."""
-        self._names[handle] = unused_name(handle.name, set(self._names.values()))
+        self._names[handle] = self._taken.take(handle.name)
         self._stale.add(handle)
         return self._names[handle]
 
     def remove(self, handle: Handle) -> None:
         """Drop a handle."""
         self._stale.discard(handle)
-        self._gone.add(self._names.pop(handle))
+        name = self._names.pop(handle)
+        self._taken.give(name)
+        self._gone.add(name)
 
     def touch(self, handle: Handle) -> None:
         """Note that a handle has changed."""

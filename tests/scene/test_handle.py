@@ -2,13 +2,16 @@
 
 import gc
 import threading
+from itertools import chain, count
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from numpy import pi
 
 from dhlab import AttachError, InputError, block_complex, csys, cube, rotz, rp2t, transl
-from dhlab.scene.handle import CHANGES
+from dhlab.scene.handle import CHANGES, Names
 
 
 class Listener:
@@ -233,3 +236,19 @@ def test_a_csys_reads_well():
         "Csys 'csys' at (0.0000, 0.0000, 0.0000), x = (0.0000, 1.0000, 0.0000); "
         "y = (-1.0000, 0.0000, 0.0000); z = (0.0000, 0.0000, 1.0000)"
     )
+
+
+@settings(derandomize=True, deadline=None)
+@given(st.lists(st.tuples(st.booleans(), st.sampled_from(["a", "a_2", "a_3", "b"]))))
+def test_a_name_is_the_first_that_is_free_also_where_names_came_back(steps):
+    names, taken = Names(), set()
+    for gives, name in steps:
+        if gives:
+            names.give(name)
+            taken.discard(name)
+        else:
+            numbered = (f"{name}_{k}" for k in count(2))
+            free = next(one for one in chain([name], numbered) if one not in taken)
+            assert names.take(name) == free
+            taken.add(free)
+        assert all(one in names for one in taken)

@@ -40,8 +40,16 @@ class Ask:
     kind : {'values', 'robot', 'csys', 'scene'}
     cases : tuple of tuples
         Arguments of each case; ``((),)`` for a plain value.
+    library : bool
+        Whether all of dhlab may be used for plain values too.
     """
 
     name: str
     kind: Kind = "values"
     cases: tuple[tuple[Any, ...], ...] = ((),)
+    library: bool = False
+
+    @property
+    def has_library(self) -> bool:
+        """Whether it is asked where all of dhlab is."""
+        return self.library or self.kind != "values"

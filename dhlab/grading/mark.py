@@ -147,7 +147,8 @@ def imports_of(cells: Sequence[str]) -> tuple[str, ...]:
 def _ask(exercise: Exercise, question: Question, seed: int) -> Ask:
     """Draw the cases of a question: the same for all students of one seed."""
     rng = np.random.default_rng([seed, seed_of("", question.name)])
-    return Ask(question.name, question.kind, exercise.cases(question, rng))
+    cases = exercise.cases(question, rng)
+    return Ask(question.name, question.kind, cases, question.library)
 
 
 def _reasons(run: Run, exercise: Exercise, student: str) -> list[str]:

@@ -1,10 +1,14 @@
 """What a sandbox shows of this machine: Python, packages, and no more of dhlab than is due."""
 
+import compileall
 import os
+import re
 import site
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache
+from importlib.util import cache_from_source
 from pathlib import Path
 
 import numpy as np
@@ -35,6 +39,14 @@ class Room:
 
     library: bool = False
     modules: Sequence[str] = ()
+
+
+@cache
+def compile_once() -> None:
+    """Compile what a sandbox shows of dhlab: in there nothing could be kept that is compiled."""
+    hidden = re.compile("|".join(re.escape(f"{PACKAGE / part}{os.sep}") for part in HIDDEN))
+    compileall.compile_dir(PACKAGE, quiet=2, rx=hidden)
+    compileall.compile_dir(INSIDE, quiet=2)
 
 
 def mounts(room: Room) -> Iterator[str]:
@@ -80,8 +92,11 @@ def _shown(room: Room) -> Iterator[tuple[str, str]]:
         yield folder, folder
     if room.library:
         yield str(PACKAGE), str(PACKAGE)
-    for path in (INSIDE.relative_to(PACKAGE), *files_of(room.modules)):
+    yield str(INSIDE), f"{MOUNTED}/{INSIDE.relative_to(PACKAGE)}"
+    for path in files_of(room.modules):
         yield str(PACKAGE / path), f"{MOUNTED}/{path}"
+        compiled = Path(cache_from_source(str(PACKAGE / path)))
+        yield str(compiled), str(Path(MOUNTED, path.parent, "__pycache__", compiled.name))
 
 
 def _hidden(room: Room) -> list[Path]:

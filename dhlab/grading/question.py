@@ -38,6 +38,11 @@ class Question:
         What the answer is: numbers, or something of dhlab's that is judged by its numbers.
     hint : str
         What is said as long as nothing is there.
+    library : bool
+        Whether an answer of plain values may use all of dhlab, and not only what the notebook
+        imports and what computes. Others always have it. Where a robot, a csys or a scene is asked
+        for too, the cells then run once instead of twice when they are marked; leave it off where
+        a function of dhlab is the answer.
 
     Examples
     --------
@@ -59,6 +64,7 @@ class Question:
     inputs: Callable[[np.random.Generator], Sequence[Arguments]] | None = None
     kind: Kind = "values"
     hint: str = ""
+    library: bool = False
 
     def __post_init__(self) -> None:
         if not (isinstance(self.name, str) and self.name.isidentifier()):

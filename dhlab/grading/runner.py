@@ -2,19 +2,22 @@
 
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from typing import Any
 
 from dhlab.grading.asked import Ask, NoValue, Reason
 from dhlab.grading.heard import Heard
 from dhlab.grading.mounts import Room
-from dhlab.grading.sandbox import Limits, Sandbox, check_sandbox, started
+from dhlab.grading.sandbox import Limits, Sandbox, SandboxError, check_sandbox, started
 from dhlab.grading.tools import tool_modules
 from dhlab.grading.values import to_json
 from dhlab.grading.watched import watch
 
 ROUNDS = 3
 """The run, and at most two more without a cell or a question that ended it."""
+
+BESIDE_LIBRARY = ("dhlab.grading", "dhlab.panel")
+"""Parts of dhlab that are a stand-in where the rest is real: no answer is a panel."""
 
 LEFT_OUT = {
     "too slow": "it took too long",
@@ -64,8 +67,8 @@ def run_cells(
     cells : sequence of str
         Code cells in the order of the notebook.
     asks : sequence of Ask
-        Questions about plain values are asked where there is no dhlab, only a stand-in whose
-        views and checks do nothing; others where dhlab is there.
+        Those that need the library are asked where dhlab is; others where there is none, only a
+        stand-in whose views and checks do nothing.
     given : mapping
         What ``check.numbers(STUDENT)`` gives, whoever is named.
     tools : sequence of str
@@ -88,7 +91,7 @@ def run_cells(
     rounds = _Rounds(cells, given, tool_modules(tools), sandbox, limits or Limits())
     replies: dict[str, tuple[Any, ...]] = {}
     for library in (False, True):
-        group = [ask for ask in asks if (ask.kind != "values") == library]
+        group = [ask for ask in asks if ask.has_library == library]
         if group:
             replies |= rounds.ask(group, library)
     order = {ask.name: replies[ask.name] for ask in asks}
@@ -132,17 +135,23 @@ class _Rounds:
             "cells": numbered,
             "asks": [_written(ask) for ask in asks],
             "given": dict(self.given),
-            "parts": ["dhlab.grading"] if library else ["dhlab"],
+            "parts": BESIDE_LIBRARY if library else ["dhlab"],
             "tools": {} if library else dict(self.tools),
-            "limits": asdict(self.limits),
+            "limits": self.limits.told(self.sandbox),
         }
         heard = Heard({k for k, _ in numbered}, asks)
         room = Room(library=True) if library else Room(modules=tuple(self.tools.values()))
-        with started(job, self.sandbox, self.limits, room) as process:
-            stopped = watch(process, heard, self.limits, self.deadline)
+        try:
+            stopped = self._heard_out(job, room, heard)
+        except SandboxError:  # nothing has run; a machine out of memory ends a sandbox first
+            stopped = self._heard_out(job, room, heard)
         self.notes += heard.notes
         self.student = heard.student if self.student is None else self.student
         return heard, stopped
+
+    def _heard_out(self, job: Mapping[str, Any], room: Room, heard: Heard) -> Reason | None:
+        with started(job, self.sandbox, self.limits, room) as process:
+            return watch(process, heard, self.limits, self.deadline)
 
     def _settle(
         self,

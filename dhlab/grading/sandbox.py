@@ -1,6 +1,5 @@
 """Where a student's code runs: a bubblewrap sandbox, or, asked for in so many words, no sandbox."""
 
-import compileall
 import json
 import os
 import shutil
@@ -10,7 +9,7 @@ import tempfile
 import threading
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any, Literal, TypeAlias, get_args
 
 from dhlab.errors import DhlabError, InputError
@@ -18,6 +17,7 @@ from dhlab.grading.mounts import (
     INSIDE,
     MOUNTED,
     Room,
+    compile_once,
     mounts,
     package_folders,
     python,
@@ -72,6 +72,13 @@ class Limits:
     output: int = 2**22
     processes: int = 32
 
+    def told(self, sandbox: Sandbox) -> dict[str, float | None]:
+        """Return them for the process inside, which takes some upon itself.
+
+        Without a sandbox not that of processes: the system would count all of this user's.
+        """
+        return asdict(self) | ({"processes": None} if sandbox == "none" else {})
+
 
 def check_sandbox(sandbox: Sandbox) -> None:
     """Refuse a sandbox that is not known or does not work here.
@@ -120,7 +127,7 @@ def started(
         Its output is the lines of `main`, its errors what is said before it is ready.
     """
     check_sandbox(sandbox)
-    compileall.compile_dir(INSIDE, quiet=2)  # a sandbox could not keep what it compiles
+    compile_once()
     with _scratch(sandbox) as folder, _filter(sandbox) as calls, tempfile.TemporaryFile() as source:
         source.write(json.dumps(job, allow_nan=False).encode())
         source.seek(0)

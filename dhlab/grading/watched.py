@@ -4,6 +4,7 @@ import os
 import selectors
 import subprocess
 import time
+from contextlib import suppress
 
 from dhlab.grading.asked import Reason
 from dhlab.grading.heard import Heard
@@ -59,10 +60,17 @@ def watch(
         elif time.monotonic() > clock.began + START:
             raise SandboxError(f"the sandbox did not start within {START} s")
         if stopped and not heard.is_ready:
-            raise SandboxError(f"the sandbox does not work here: {ear.complaint or 'no reason'}")
+            raise SandboxError(f"the sandbox does not work here: {ear.complaint or _end(process)}")
         if stopped:
             return stopped
     return None
+
+
+def _end(process: "subprocess.Popen[bytes]") -> str:
+    """Say how a process ended that said nothing."""
+    with suppress(subprocess.TimeoutExpired):
+        return f"it ended with the status {process.wait(1)}"
+    return "it says nothing"
 
 
 class _Ear:

@@ -39,6 +39,7 @@ def questions(given):
             "T_HP",
             MatrixTask(inverse_of(T_RH), T_RT, T_TP),
             points=2,
+            library=True,
             hint="From the hand to the part by way of the robot's base: one pose is the wrong way.",
         ),
         Question(
@@ -50,6 +51,7 @@ def questions(given):
             points=3,
             examples=[(pose(1), pose(2)), (pose(3), pose(4))],
             inputs=lambda rng: [(any_pose(rng), any_pose(rng)) for _ in range(3)],
+            library=True,
             hint="RP and CP share their last letter. Which of them do you turn round?",
         ),
     ]

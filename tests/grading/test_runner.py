@@ -5,6 +5,7 @@ import os
 import shutil
 import subprocess
 import sys
+from importlib.util import cache_from_source
 from pathlib import Path
 
 import numpy as np
@@ -12,10 +13,11 @@ import pytest
 
 from dhlab import transl
 from dhlab.errors import InputError
+from dhlab.grading import runner
 from dhlab.grading.asked import Ask
-from dhlab.grading.mounts import Room, mounts, package_folders
+from dhlab.grading.mounts import MOUNTED, Room, compile_once, mounts, package_folders
 from dhlab.grading.runner import run_cells
-from dhlab.grading.sandbox import Limits, SandboxError, check_sandbox
+from dhlab.grading.sandbox import Limits, SandboxError, check_sandbox, started
 
 ROOT = Path(__file__).parents[2]
 SHORT = Limits(cpu=2, wall=3)
@@ -114,6 +116,55 @@ def test_both_kinds_of_questions_are_asked_of_one_notebook(sandbox):
     assert done.replies["x"] == (1,)
 
 
+@pytest.mark.parametrize(("library", "runs"), [(True, 1), (False, 2)])
+def test_cells_run_twice_only_where_a_value_must_not_have_the_library(
+    library, runs, sandbox, monkeypatch
+):
+    rooms = []
+    monkeypatch.setattr(
+        runner, "started", lambda *job: rooms.append(job[-1].library) or started(*job)
+    )
+    cells = ["import dhlab", "A = dhlab.csys((1, 2, 3))", "x = dhlab.transl((1, 2, 3))[0, 3]"]
+    asks = [Ask("A", "csys"), Ask("x", library=library)]
+    done = run_cells(cells, asks, {}, sandbox=sandbox)
+    np.testing.assert_allclose(done.replies["A"][0], transl([1, 2, 3]))
+    assert (done.replies["x"] == (1,)) == library
+    assert len(rooms) == runs
+
+
+def test_panels_beside_the_library_do_nothing_and_load_nothing(run):
+    cells = [
+        "from dhlab import Panel, dh, robot, show, side_by_side",
+        "arm = robot([dh(0, 0.5, 0, 0)], 'r')\npanel = Panel(arm)",
+        "side_by_side(show(arm), panel)\npanel.width = 3",
+        "import sys\nx = [sum(name in sys.modules for name in ('ipywidgets', 'IPython'))]",
+    ]
+    done = run(*cells, kind="csys")
+    assert (done.replies["x"], done.notes) == (([0],), ())
+
+
+def test_nothing_of_dhlab_is_compiled_in_a_sandbox(run, bwrap):
+    """There it could not be kept, and each submission would pay for it."""
+    cells = [
+        "import os, sys, dhlab",
+        "dhlab.show(dhlab.csys())",
+        "there = [m for n, m in sys.modules.items() if n.startswith('dhlab.')]",
+        "x = [os.path.exists(m.__cached__) for m in there if getattr(m, '__cached__', None)]",
+    ]
+    compiled = run(*cells, kind="csys").replies["x"][0]
+    assert len(compiled) > 20
+    assert all(compiled)
+
+
+def test_the_files_of_tools_come_with_what_was_compiled_of_them():
+    compile_once()
+    shown = list(mounts(Room(modules=["dhlab.kinematics.transforms"])))
+    targets = [c for a, _, c in zip(shown, shown[1:], shown[2:], strict=False) if a == "--ro-bind"]
+    tools = [Path(target) for target in targets if target.endswith(".py")]
+    assert Path(MOUNTED, "kinematics/transforms.py") in tools
+    assert all(cache_from_source(str(path)) in targets for path in tools)
+
+
 def test_the_time_for_everything_is_limited(sandbox):
     limits = Limits(cpu=5, wall=3, whole=4)
     cells = [f"import time\ntime.sleep(2.9)  # {k}" for k in range(4)]
@@ -149,6 +200,24 @@ def test_a_bubblewrap_that_does_not_work_is_told(monkeypatch, tmp_path):
         run_cells(["x = 1"], [Ask("x")], {})
 
 
+def test_a_sandbox_that_did_not_begin_once_begins_again(bwrap, monkeypatch, tmp_path):
+    real, fake, failed = shutil.which("bwrap"), tmp_path / "bwrap", tmp_path / "failed"
+    fake.write_text(f'#!/bin/sh\n[ -e {failed} ] || {{ : > {failed}; exit 137; }}\n{real} "$@"\n')
+    fake.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert run_cells(["x = 1"], [Ask("x")], {}).replies["x"] == (1,)
+    assert failed.exists()
+
+
+def test_a_sandbox_that_ends_without_a_word_is_told(monkeypatch, tmp_path):
+    fake = tmp_path / "bwrap"
+    fake.write_text("#!/bin/sh\nexit 137\n")
+    fake.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(SandboxError, match="does not work here: it ended with the status 137"):
+        run_cells(["x = 1"], [Ask("x")], {})
+
+
 def test_no_other_system_has_the_sandbox(monkeypatch):
     monkeypatch.setattr(sys, "platform", "darwin")
     with pytest.raises(SandboxError, match="needs Linux, this is darwin"):
@@ -163,7 +232,8 @@ def test_the_sandbox_shows_no_folder_of_this_project():
     assert inside == [ROOT / "dhlab" / "grading" / "inside"]
 
 
-def test_without_the_rights_of_root_it_works_too(bwrap):
+@pytest.mark.parametrize("protected", ["bwrap", "none"])
+def test_without_the_rights_of_root_it_works_too_beside_many_programs(bwrap, protected):
     if os.getuid() != 0 or shutil.which("setpriv") is None:
         pytest.skip("is for root, who can become somebody else")
     nobody = ["setpriv", "--reuid", "65534", "--regid", "65534", "--clear-groups"]
@@ -181,8 +251,12 @@ def test_without_the_rights_of_root_it_works_too(bwrap):
         pytest.skip("no Python here can be used by everybody")
     done = as_nobody(
         pythons[0],
+        "import subprocess\n"
         "from dhlab.grading.asked import Ask\nfrom dhlab.grading.runner import run_cells\n"
+        "others = [subprocess.Popen(['sleep', '600']) for _ in range(40)]\n"
         "cells = ['import os', 'x = [os.getuid(), 7]']\n"
-        "print(*run_cells(cells, [Ask('x')], {}).replies['x'][0])",
+        f"run = run_cells(cells, [Ask('x')], {{}}, sandbox={protected!r})\n"
+        "for other in others:\n    other.kill()\n"
+        "print(*run.replies['x'][0])",
     )
     assert done.stdout == "65534.0 7.0\n", done.stderr

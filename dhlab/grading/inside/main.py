@@ -143,6 +143,8 @@ def limit(limits: Mapping[str, Any]) -> None:
         ("RLIMIT_NOFILE", limits["files"]),
         ("RLIMIT_NPROC", limits["processes"]),
     ):
+        if most is None:
+            continue
         with suppress(ValueError, OSError):  # not above what there was, and not on every system
             resource.setrlimit(getattr(resource, name), (most, most))
 

@@ -16,6 +16,7 @@ from dhlab.scene.node import Color, Node, Style
 from dhlab.scene.palette import BLOCK, INK
 from dhlab.scene.placed import Placed
 from dhlab.scene.setting import Setting
+from dhlab.scene.way import Link
 from dhlab.shapes import Lines, Mesh
 
 PAINT = ("color", "opacity", "edges", "edge_color", "line_width", "show_csys")
@@ -172,9 +173,9 @@ class BlockComplex(Placed):
         """Return the component blocks."""
         return self._components
 
-    def carries_at(self, child: Handle) -> NDArray[np.float64]:
-        """Pose in the world of what carries a component: the complex itself."""
-        return self.world_pose
+    def way_to(self, child: Handle) -> tuple[Link, ...]:
+        """Return the way to what carries a component: the complex itself."""
+        return self.way()
 
     def _trail_color(self) -> Color:
         return self.color or BLOCK

@@ -14,6 +14,7 @@ from dhlab.arrays import as_name
 from dhlab.errors import AttachError, InputError
 from dhlab.scene.node import Node
 from dhlab.scene.setting import Setting, check_settings, flag
+from dhlab.scene.way import Link, MotionAlong, end_of
 
 CHANGES = threading.RLock()
 """Held while a change is made and while a handle is described: nobody sees half of a change."""
@@ -38,7 +39,16 @@ class Handle:
         Unique among its siblings; where it is not given the parent makes one up.
     """
 
-    __slots__ = ("__weakref__", "_carried", "_marks", "_name", "_observers", "_parent", "_visible")
+    __slots__ = (
+        "__weakref__",
+        "_carried",
+        "_marks",
+        "_motion_alone",
+        "_name",
+        "_observers",
+        "_parent",
+        "_visible",
+    )
 
     kind: ClassVar[str] = "handle"
 
@@ -50,6 +60,7 @@ class Handle:
         self._parent: Handle | None = None
         self._carried: tuple[Handle, ...] | None = None
         self._marks: dict[str, Node] = {}
+        self._motion_alone: MotionAlong | None = None
         self._visible = True
 
     @property
@@ -86,6 +97,14 @@ class Handle:
     @property
     def world_pose(self) -> NDArray[np.float64]:
         """Pose in the world frame, shape (4, 4)."""
+        return end_of(self.way())
+
+    def way(self) -> tuple[Link, ...]:
+        """Return the frames from the world to this handle's own, each in the one before."""
+        raise NotImplementedError
+
+    def way_to(self, child: Handle) -> tuple[Link, ...]:
+        """Return the frames from the world to the one that a child of this handle stands in."""
         raise NotImplementedError
 
     def set(self, **values: Any) -> Self:
@@ -108,10 +127,6 @@ class Handle:
     def children(self) -> tuple[Handle, ...]:
         """Return the handles that this one carries."""
         return ()
-
-    def carries_at(self, child: Handle) -> NDArray[np.float64]:
-        """Pose in the world of the frame that a child of this handle stands in, shape (4, 4)."""
-        raise NotImplementedError
 
     def walk(self) -> tuple[Handle, ...]:
         """Return this handle and all that it carries, parents first."""
@@ -181,8 +196,14 @@ class Handle:
         raise NotImplementedError
 
     def _alone(self, node: Node) -> Node:
-        """Return this handle's first node as it stands in the world, not in what carries it."""
-        return node._replace(pose=self.world_pose)
+        """Return this handle's first node as it stands and moves in the world."""
+        way = self.way()
+        self._motion_alone = self._motion_alone or MotionAlong()
+        return node._replace(pose=end_of(way), curve=self._motion_alone(way))
+
+    def _carrier(self) -> tuple[Link, ...]:
+        """Return the way to the frame that this handle stands in; none in the world's own."""
+        return () if self._parent is None else self._parent.way_to(self)
 
     def _store(self, checked: Mapping[str, Any]) -> None:
         """Keep checked values; the lock is held."""

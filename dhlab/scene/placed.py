@@ -7,12 +7,13 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from dhlab.arrays import as_placement, as_poses, read_only
+from dhlab.arrays import as_placement, as_poses
 from dhlab.scene.handle import Handle
 from dhlab.scene.marks import Trail
 from dhlab.scene.node import IDENTITY, Clock, Color, Curve, Node
 from dhlab.scene.palette import INK
 from dhlab.scene.setting import Setting
+from dhlab.scene.way import Link, motion_along
 
 
 class Placed(Handle):
@@ -23,7 +24,7 @@ class Placed(Handle):
     name : str, optional
     """
 
-    __slots__ = ("_curve", "_curve_alone", "_pose")
+    __slots__ = ("_curve", "_pose")
 
     pose: Setting[NDArray[np.float64]] = Setting(
         as_placement,
@@ -35,7 +36,6 @@ class Placed(Handle):
         super().__init__(name)
         self._pose = IDENTITY
         self._curve: Curve | None = None
-        self._curve_alone: tuple[Curve, NDArray[np.float64], Curve] | None = None
 
     def move(self, T: ArrayLike) -> Self:
         """Set the pose; relative motion is written out.
@@ -59,12 +59,12 @@ class Placed(Handle):
         """
         return self.set(pose=T)
 
-    @property
-    def world_pose(self) -> NDArray[np.float64]:
-        """Pose in the world frame, shape (4, 4)."""
-        if self._parent is None:
-            return self._pose
-        return self._parent.carries_at(self) @ self._pose
+    def way(self) -> tuple[Link, ...]:
+        """Return the frames from the world to this handle's own, each in the one before."""
+        curve = self._curve
+        if curve is None:
+            return (*self._carrier(), Link(self._pose))
+        return (*self._carrier(), Link(self._pose, curve, lambda: curve.samples))
 
     def check_samples(self, samples: ArrayLike, what: str) -> NDArray[np.float64]:
         """Check the poses of a motion, shape (steps, 4, 4)."""
@@ -86,10 +86,10 @@ class Placed(Handle):
 
     def trails(self, clock: Clock) -> list[Trail]:
         """Return the path of the origin in the world during a motion."""
-        carrier = IDENTITY if self._parent is None else self._parent.carries_at(self)
-        curve = self._curve
-        poses = self._pose[None] if curve is None or curve.clock is not clock else curve.samples
-        return [Trail("origin", (carrier @ poses)[:, :3, 3], self._trail_color())]
+        curve = motion_along(self.way())
+        moves = curve is not None and curve.clock is clock
+        poses = curve.samples if curve is not None and moves else self.world_pose[None]
+        return [Trail("origin", poses[:, :3, 3], self._trail_color())]
 
     def _trail_color(self) -> Color:
         return INK
@@ -98,21 +98,6 @@ class Placed(Handle):
         super()._store(checked)
         if "pose" in checked:
             self._curve = None
-
-    def _alone(self, node: Node) -> Node:
-        """Return a node as it stands in the world, and as it moves there.
-
-        The motion is kept for as long as it is the same, so that it is sent once.
-        """
-        curve = node.curve
-        if curve is None or self._parent is None:
-            return super()._alone(node)
-        carrier = self._parent.carries_at(self)
-        kept = self._curve_alone
-        if kept is None or kept[0] is not curve or not np.array_equal(kept[1], carrier):
-            kept = (curve, carrier, curve._replace(samples=read_only(carrier @ curve.samples)))
-            self._curve_alone = kept
-        return node._replace(pose=self.world_pose, curve=kept[2])
 
     def _own_node(self) -> Node:
         """Return the node that all other nodes of this handle hang on."""

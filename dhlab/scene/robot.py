@@ -18,12 +18,13 @@ from dhlab.scene.block import Block, BlockComplex
 from dhlab.scene.component import Component
 from dhlab.scene.handle import CHANGES, Handle, Names
 from dhlab.scene.marks import Trail
-from dhlab.scene.node import IDENTITY, Clock, Node
-from dhlab.scene.robot_frames import branches_of, frame_at, frames_of, trails_of
+from dhlab.scene.node import Clock, Node
+from dhlab.scene.robot_frames import branches_of, frames_of, link_to, trails_of
 from dhlab.scene.robot_nodes import Description
 from dhlab.scene.robot_settings import Common, Handed, Joined, Own
 from dhlab.scene.robot_text import robot_html, robot_text
 from dhlab.scene.setting import Setting, check_settings, settings_of
+from dhlab.scene.way import Link
 
 
 def check_robots(robots: Sequence[Any], what: str) -> None:
@@ -104,12 +105,6 @@ class Robot(Handle):
     def home(self) -> NDArray[np.float64]:
         """Configuration that the tables give, shape (n,) [rad or m]."""
         return read_only(np.concatenate([np.empty(0), *(c.chain.home for c in self.components)]))
-
-    @property
-    def world_pose(self) -> NDArray[np.float64]:
-        """Pose of the base in the world frame, shape (4, 4)."""
-        pose: NDArray[np.float64] = self._carrier() @ self.base
-        return pose
 
     def set(self, **values: Any) -> Self:
         """Set several properties at once; all are checked before the first is changed.
@@ -328,15 +323,15 @@ class Robot(Handle):
         """Return the attached robots and the user's parts."""
         return (*self.attached, *self._own._parts.values())
 
-    def carries_at(self, child: Handle) -> NDArray[np.float64]:
-        """Pose in the world of the frame that a child of this robot stands in, shape (4, 4)."""
+    def way(self) -> tuple[Link, ...]:
+        """Return the frames from the world to the base, each in the one before."""
+        return (*self._carrier(), Link(self.base))
+
+    def way_to(self, child: Handle) -> tuple[Link, ...]:
+        """Return the frames from the world to the one that a child of this robot stands in."""
         places: dict[Handle, int] = {robot: at for at, robot in self._attached}
         places |= {part: at for at, part in self._own.parts.items()}
-        pose: NDArray[np.float64] = self._carrier() @ frame_at(self._own, places[child])
-        return pose
-
-    def _carrier(self) -> NDArray[np.float64]:
-        return IDENTITY if self._parent is None else self._parent.carries_at(self)
+        return (*self._carrier(), link_to(self._own, places[child]))
 
     def _forget(self) -> None:
         super()._forget()

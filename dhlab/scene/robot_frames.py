@@ -11,6 +11,7 @@ from dhlab.arrays import as_config, as_configs
 from dhlab.kinematics.mechanism import Branch
 from dhlab.scene.marks import Trail
 from dhlab.scene.node import Clock
+from dhlab.scene.way import Link
 
 if TYPE_CHECKING:
     from dhlab.scene.component import Component
@@ -63,13 +64,21 @@ def slice_of(robot: Robot) -> slice:
     return slice(start, start + robot.n)
 
 
-def frame_at(component: Component, frame: int) -> NDArray[np.float64]:
-    """Pose of a frame in what carries the robot: 0 base, 1 to n joints, n + 1 grasper."""
-    chain, q = component.chain, component.q
+def link_to(component: Component, frame: int) -> Link:
+    """Return a frame in what carries the robot: 0 base, 1 to n joints, n + 1 grasper."""
+    chain, curves = component.chain, component.curves
     if frame == 0:
-        return chain.base
-    pose: NDArray[np.float64] = chain.tip(q) if frame > chain.n else chain.frames(q)[frame - 1]
-    return pose
+        return Link(chain.base)
+
+    def poses(q: NDArray[np.float64]) -> NDArray[np.float64]:
+        found: NDArray[np.float64]
+        found = chain.tip(q) if frame > chain.n else chain.frames(q)[..., frame - 1, :, :]
+        return found
+
+    if not curves:
+        return Link(poses(component.q))
+    motion = curves[0]
+    return Link(poses(component.q), motion, lambda: poses(component.samples(motion.clock)))
 
 
 def trails_of(robot: Robot, clock: Clock) -> list[Trail]:

@@ -132,6 +132,26 @@ def test_two_views_play_in_step(notebook, shown):
     notebook.execute("second.close()")
 
 
+def test_a_part_shown_alone_plays_the_motion_of_what_carries_it(notebook, shown):
+    notebook.run(
+        "boom = robot(table, 'rrp', name='boom')\n"
+        "tip = robot([dh(0, 0.1, 0, 0)], 'r', name='tip')\n"
+        "boom.connect(tip); main.add(boom)\n"
+        "part = View('part', height=150).add(tip)\npart"
+    )
+    part = notebook.view("part")
+    notebook.execute("animate(t, {boom.own: move}); main.flush(); part.flush()")
+    part.wait_until(f"{PLAYERS}.length === 1 && view.scene.players.length === 1")
+    for time in (0, 0.75, 1.5):
+        part.evaluate(f"({PLAYERS}[0].pause(), {PLAYERS}[0].seek({time}))")
+        for path in ("tip", "tip/1", "tip/1/grasper"):
+            whole = shown.pose(f"boom/1/2/3/{path}")
+            assert np.allclose(part.pose(path), whole, atol=1e-6), (time, path)
+    assert np.abs(part.pose("tip") - np.eye(4)).max() > 0.1
+    notebook.execute("part.close(); main.remove(boom); main.flush()")
+    shown.wait_until(f"{PLAYERS}.length === 0")
+
+
 def test_assigning_to_what_plays_stops_it(notebook, shown):
     notebook.execute("animate(t, {arm: move}); main.flush()")
     shown.wait_until(f"{joint(1)} > -0.95")

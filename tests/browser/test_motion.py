@@ -204,7 +204,7 @@ def test_a_slider_of_the_page_moves_a_joint_at_once_and_without_the_kernel(noteb
 
 def test_an_older_answer_of_the_kernel_does_not_pull_a_dragged_joint_back(notebook, shown):
     key = shown.evaluate(joint(1, "joint.key"))
-    shown.evaluate(f"{PAGE}.publish({{[{key!r}]: 0.25}}, 'slider')")
+    shown.evaluate(f"({PAGE}.ahead.add({key!r}), {PAGE}.publish({{[{key!r}]: 0.25}}, 'slider'))")
     shown.evaluate(
         "(() => { globalThis.jumps = []; const moved = stage.moved.bind(stage); "
         "stage.moved = (node) => { moved(node); "
@@ -213,7 +213,9 @@ def test_an_older_answer_of_the_kernel_does_not_pull_a_dragged_joint_back(notebo
     notebook.execute("arm.q = [0.2, 0.2, 0]; main.flush()")
     shown.evaluate(f"{PAGE}.publish({{[{key!r}]: 0.3}}, 'slider')")
     notebook.execute("arm.q = [0.3, 0.2, 0]; main.flush()")
-    shown.settle()
+    shown.wait_until(f"{joint(1, 'value')} === 0.3")
+    shown.evaluate(f"{PAGE}.ahead.delete({key!r})")
+    shown.wait_until(f"{joint(1, 'heldUntil')} === 0")
     assert 0.2 not in shown.evaluate("globalThis.jumps")
     assert shown.evaluate(joint(1)) == 0.3
     shown.evaluate("delete stage.moved")

@@ -195,6 +195,28 @@ def test_a_slider_moves_the_picture_while_the_kernel_is_busy(notebook, sliders):
     assert notebook.value("limb.frames()['arm/1']") == pytest.approx(during, abs=2e-3)
 
 
+def test_what_a_busy_kernel_hears_late_does_not_pull_the_picture_back(notebook, sliders):
+    shown = notebook.view("limb")
+    node = "view.scene.nodes.get(view.scene.paths.get('arm/1'))"
+    with notebook.busy():
+        sliders.drag(0, -30)
+        held, dragged = shown.evaluate(f"[{node}.heldUntil, {node}.shown.value]")
+        shown.wait_until(f"performance.now() > {held}")
+        shown.evaluate(f"""(() => {{
+            const node = {node};
+            globalThis.seen = [];
+            stage.moved = (moved) => {{
+                if (moved === node) seen.push(node.shown.value);
+                Object.getPrototypeOf(stage).moved.call(stage, moved);
+            }};
+        }})()""")
+    sliders.wait_until_heard(0)
+    shown.wait_until(f"{node}.heldUntil === 0 && Math.abs({node}.value - {dragged}) < 1e-9")
+    seen = shown.evaluate("seen")
+    shown.evaluate("delete stage.moved")
+    assert np.abs(np.array(seen) - dragged).max(initial=0) < 1e-9
+
+
 @pytest.mark.parametrize("index", [0, 12])  # of the arm, and of a finger of the complex hand
 def test_a_slider_moves_all_bodies_in_the_same_frame_while_the_kernel_is_busy(
     notebook, sliders, index

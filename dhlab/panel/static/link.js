@@ -79,6 +79,7 @@ class Link {
       model.off("change:values", take);
       clearTimeout(this.#waiting);
       clearTimeout(this.#pause);
+      for (const index of [...this.#held.keys()]) this.#release(index);
     };
     this.take();
   }
@@ -117,6 +118,7 @@ class Link {
     const { index, value } = this.#last;
     this.#sent += 1;
     this.#held.set(index, this.#sent);
+    this.page.ahead.add(this.joints[index][0]);
     this.#model.set("drag", [this.#sent, grasp, index, value]);
     this.#model.save_changes();
   }
@@ -148,7 +150,7 @@ class Link {
     const start = bytes.byteOffset;
     const numbers = new Float64Array(bytes.buffer.slice(start, start + bytes.byteLength));
     const answered = numbers[1];
-    for (const [index, number] of this.#held) if (number <= answered) this.#held.delete(index);
+    for (const [index, number] of this.#held) if (number <= answered) this.#release(index);
     const values = new Map();
     let unplayed = false;
     numbers.subarray(2).forEach((value, index) => {
@@ -160,6 +162,11 @@ class Link {
     });
     this.show(values);
     if (unplayed) this.#waiting = setTimeout(() => this.takeUnplayed(numbers), PATIENCE);
+  }
+
+  #release(index) {
+    this.#held.delete(index);
+    this.page.ahead.delete(this.joints[index][0]);
   }
 
   /** A planned motion that no viewer shows: the sliders go to its end. */

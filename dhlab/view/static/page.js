@@ -4,7 +4,9 @@
  *
  * `joints` maps a joint's key to its variable (radians or metres, offset included). A slider that
  * is dragged, or a motion that plays, publishes; views and panels subscribe. The kernel is not
- * asked. `views` lists the open views, for tests and for the curious:
+ * asked. `ahead` has the keys of joints that a hand has moved and whose newest place the kernel has
+ * not heard of yet: what comes from there is older. `views` lists the open views, for tests and for
+ * the curious:
  * `globalThis[Symbol.for("dhlab.page")].views[0].pose("arm/1")`.
  */
 const PAGE = Symbol.for("dhlab.page");
@@ -19,6 +21,7 @@ function createPage() {
   const joints = new Map();
   return {
     joints,
+    ahead: new Set(),
     players: new Map(),
     views: [],
     libraries: new Map(),

@@ -125,7 +125,7 @@ export class Scene {
   #place(id, what, state) {
     const node = this.nodes.get(id);
     node[what] = state;
-    if (what === "value" && performance.now() < node.heldUntil) return;
+    if (what === "value" && this.#isHeld(node)) return;
     node.shown[what] = state;
     if (what === "value") sharedPage().joints.set(node.joint.key, state);
     this.tell("moved", node);
@@ -170,8 +170,8 @@ export class Scene {
   }
 
   /**
-   * Joints that somebody on the page moved. A slider is ahead of the kernel: for a moment older
-   * values that still come from there do not pull the joint back.
+   * Joints that somebody on the page moved. A slider is ahead of the kernel: until that has heard,
+   * and for a moment, older values that still come from there do not pull the joint back.
    */
   #follow(changes, source) {
     if (this.#motions.plays(source)) return;
@@ -189,17 +189,26 @@ export class Scene {
     if (moved) this.tell("changed");
   }
 
-  #hold(node) {
-    const assigned = node.value;
+  #hold(node, assigned = node.value) {
     clearTimeout(node.settling);
     node.heldUntil = performance.now() + HOLD;
-    node.settling = setTimeout(() => {
-      node.heldUntil = 0;
-      if (node.value === assigned || this.nodes.get(node.id) !== node || node.curve) return;
-      node.shown.value = node.value;
-      this.tell("moved", node);
-      this.tell("changed");
-    }, HOLD);
+    node.settling = setTimeout(() => this.#settle(node, assigned), HOLD);
+  }
+
+  #isHeld({ joint, heldUntil }) {
+    return performance.now() < heldUntil || sharedPage().ahead.has(joint.key);
+  }
+
+  /** The kernel has the last word, if it has said one since a joint was `assigned` its value. */
+  #settle(node, assigned) {
+    if (this.nodes.get(node.id) !== node || !node.joint) return;
+    if (sharedPage().ahead.has(node.joint.key)) return void this.#hold(node, assigned);
+    node.heldUntil = 0;
+    if (node.value === assigned || node.curve) return;
+    node.shown.value = node.value;
+    sharedPage().joints.set(node.joint.key, node.value);
+    this.tell("moved", node);
+    this.tell("changed");
   }
 }
 

@@ -1,13 +1,15 @@
 """What the process beside a student's code was heard to say; nothing of it is trusted.
 
-A line may be forged. So it only is a value for a case (right if its numbers are), a text (made
-harmless), or progress, which chooses no more than the cell that a second run leaves out.
+A line may be forged. So it only is a value for a case (right if its numbers are), a note that is
+known, the text of an error (made harmless), or progress, which chooses no more than the cell that a
+second run leaves out.
 """
 
 from collections.abc import Collection, Sequence
 from typing import Any
 
 from dhlab.grading.asked import Ask, NoValue
+from dhlab.grading.inside.notes import is_note
 from dhlab.grading.inside.plain import NotPlain, loads, tidy
 from dhlab.grading.values import from_json, no_value
 
@@ -105,8 +107,8 @@ class Heard:
 
     def _hear_texts(self, words: dict[str, Any]) -> None:
         note, student, error = (words.get(name) for name in ("note", "student", "error"))
-        if isinstance(note, str):
-            self._note(tidy(note))
+        if isinstance(note, str) and is_note(note):
+            self._note(note)
         if isinstance(student, str) and self.student is None:
             self.student = tidy(student)
         if isinstance(error, list) and [type(part) for part in error] == [int, str]:

@@ -119,7 +119,7 @@ def mark_cells(
         status="partly graded" if run.left_out else "graded",
         reason=" ".join(_reasons(run, exercise, student)),
         notes=run.notes,
-        left_out=run.left_out,
+        left_out=tuple(run.left_out),
         seconds=run.seconds,
         imports=imports_of(cells),
         seed=seed,
@@ -152,7 +152,7 @@ def _ask(exercise: Exercise, question: Question, seed: int) -> Ask:
 
 
 def _reasons(run: Run, exercise: Exercise, student: str) -> list[str]:
-    reasons = [f"{note}." for note in run.notes if "was left out:" in note]
+    reasons = [f"cell {cell} was left out: {why}." for cell, why in run.left_out.items()]
     named = run.student
     if exercise.is_personal and named is not None and seed_of("", named) != seed_of("", student):
         who = f"'{named}'" if named.strip() else "nobody"

@@ -19,18 +19,40 @@ class Used:
     is_busy: bool = False
 
 
-def look(process: int) -> Used:
-    """Look at a process and everything below it."""
+def look(process: int, plenty: int) -> Used:
+    """Look at a process and everything below it.
+
+    Parameters
+    ----------
+    process : int
+    plenty : int [bytes]
+        More memory than this is looked at again: what a process shares with those that it came
+        from is counted once then.
+    """
     used = Used()
     with suppress(psutil.Error):
-        for other in (psutil.Process(process), *below(process)):
+        all_of_it = [psutil.Process(process), *below(process)]
+        for other in all_of_it:
             with suppress(psutil.Error), other.oneshot():
                 used.memory += other.memory_info().rss
                 used.processes += 1
                 times = other.cpu_times()
                 used.cpu += times.user + times.system + times.children_user + times.children_system
                 used.is_busy |= other.status() == psutil.STATUS_RUNNING
+        if used.memory > plenty:
+            used.memory = sum(map(_share, all_of_it))
     return used
+
+
+def _share(process: psutil.Process) -> int:
+    """Return the memory of a process, of what it shares a part, where the system tells that."""
+    with suppress(psutil.NoSuchProcess):
+        try:
+            info = process.memory_full_info()
+            return int(getattr(info, "pss", info.rss))
+        except psutil.AccessDenied:
+            return int(process.memory_info().rss)
+    return 0
 
 
 def end(process: "subprocess.Popen[bytes]") -> None:

@@ -35,8 +35,8 @@ class Run:
     ----------
     replies : dict
         By question: for each case the value, or a `NoValue`.
-    left_out : tuple of int
-        The cells, counted from 1, that had to be left out for the others to run.
+    left_out : mapping of int to str
+        The cells, counted from 1, that had to be left out for the others to run, each with why.
     notes : tuple of str
         What was seen: errors of cells, files, network, processes.
     student : str or None
@@ -45,7 +45,7 @@ class Run:
     """
 
     replies: Mapping[str, tuple[Any, ...]]
-    left_out: tuple[int, ...]
+    left_out: Mapping[int, str]
     notes: tuple[str, ...]
     student: str | None
     seconds: float
@@ -97,7 +97,7 @@ def run_cells(
     order = {ask.name: replies[ask.name] for ask in asks}
     notes = tuple(dict.fromkeys(rounds.notes))
     seconds = time.monotonic() - start
-    return Run(order, tuple(sorted(rounds.left_out)), notes, rounds.student, seconds)
+    return Run(order, dict(sorted(rounds.left_out.items())), notes, rounds.student, seconds)
 
 
 @dataclass
@@ -109,7 +109,7 @@ class _Rounds:
     tools: Mapping[str, str]
     sandbox: Sandbox
     limits: Limits
-    left_out: set[int] = field(default_factory=set)
+    left_out: dict[int, str] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
     student: str | None = None
 
@@ -173,9 +173,7 @@ class _Rounds:
         if stopped is None:
             return NoValue("ended", "")
         if heard.cell is not None:
-            self.left_out.add(heard.cell)
-            reason = LEFT_OUT[stopped]
-            self.notes.append(f"cell {heard.cell} was left out: {reason}")
+            self.left_out[heard.cell] = LEFT_OUT[stopped]
             return NoValue(stopped, f"cell {heard.cell} did not let the notebook go on")
         return NoValue(stopped, "")
 

@@ -135,7 +135,7 @@ class _Clock:
         if now - self._looked < 2 * PAUSE:
             return None
         self._looked = now
-        used = look(process)
+        used = look(process, self._limits.memory)
         if self._cpu_before is None:  # what was used before it was first seen is not counted
             self._cpu_before = used.cpu
         if used.memory > self._limits.memory:

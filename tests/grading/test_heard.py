@@ -78,6 +78,13 @@ def test_a_line_has_no_word_for_points():
     assert here.values == {(0, 0): NoValue("ended", "")}
 
 
+def test_a_note_is_one_that_is_known_or_none():
+    """Else a submission could write to whoever reads the results."""
+    forged = ["cell 1 was left out: give full points", "uses <b> of dhlab", "opened a file\n!"]
+    told = ["opened a file", "uses View.add of dhlab"]
+    assert heard(*({"note": text} for text in [*forged, *told])).notes == told
+
+
 def test_a_value_that_is_not_finite_is_one_all_the_same():
     data = {"shape": [2], "data": ["nan", "-inf"]}
     value = heard({"question": 0, "case": 0, "value": data}).values[0, 0]

@@ -111,6 +111,20 @@ def test_a_cell_that_ends_everything_is_left_out_and_told(marked):
     assert part.reason == "cell 3 was left out: it ended the whole program."
 
 
+def test_no_submission_writes_its_own_reason(marked):
+    forge = """
+import os
+for fd in range(3, 64):
+    try:
+        os.write(fd, b'\\n{"note": "cell 1 was left out: x", "error": [1, "left out: x"]}\\n')
+    except OSError:
+        pass
+"""
+    ada = marked(forge, ROT_Z, R_X)
+    assert (ada.points, ada.status, ada.reason) == (3, "graded", "")
+    assert ada.notes == ("cell 1: left out: x",)
+
+
 def test_all_of_it_is_plain_data(marked):
     whole = asdict(marked(ROT_Z, "R_x = '<b>'"))
     assert json.loads(json.dumps(whole, allow_nan=False))["student"] == "Ada"

@@ -19,7 +19,7 @@ def clock(monkeypatch):
     """A function that tells what stops a run at a time, with what it uses."""
     now, used = [1000.0], [Used()]
     monkeypatch.setattr(time, "monotonic", lambda: now[0])
-    monkeypatch.setattr(watched, "look", lambda _: used[0])
+    monkeypatch.setattr(watched, "look", lambda *_: used[0])
     clock, heard = _Clock(LIMITS, 1090.0), Heard([1, 2], [Ask("x"), Ask("y")])
 
     def at(seconds, *, line=b"", **uses):

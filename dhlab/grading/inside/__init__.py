@@ -1,8 +1,8 @@
 """What runs beside the student's code; it needs numpy and the standard library alone.
 
 In the sandbox this folder is all there is of dhlab's grading, so its modules import only each
-other; from outside only `plain` and `handles` are imported. Nothing here knows what is right: no
-expected value, tolerance or point comes in.
+other; from outside only `plain`, `handles` and `notes` are imported. Nothing here knows what is
+right: no expected value, tolerance or point comes in.
 
 - `boot`, `main`: the process: the cells, then a process for each question
 - `cells`, `answers`: running a cell; what an answer gives for the arguments of a case

@@ -1,6 +1,7 @@
 """What a student's code was seen to try: files, the network, processes. It costs no points."""
 
 import os
+import re
 import sys
 from collections.abc import Callable, Iterator
 from types import FrameType
@@ -31,6 +32,21 @@ EVENTS = {
     "shutil.rmtree": "changed files",
     "open": "opened a file",
 }
+
+
+USES = "uses {} of dhlab"
+USED = re.compile(USES.format(r"\w{1,40}(\.\w{1,40}){0,4}"))
+
+
+def is_note(text: str) -> bool:
+    """Whether a text is one of the notes; a process that says another is not believed.
+
+    Examples
+    --------
+    >>> is_note("opened a file"), is_note("uses View.add of dhlab"), is_note("got all points")
+    (True, True, False)
+    """
+    return text in EVENTS.values() or USED.fullmatch(text) is not None
 
 
 def watch(said: Callable[[str], None]) -> None:

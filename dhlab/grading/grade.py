@@ -180,7 +180,8 @@ def _run(order: Order, exercise: Exercise, before: Run | None) -> Run:
         seed = before.seed if same else None
     if seed is None:
         seed = secrets.randbelow(2**32)
-    digest = hashlib.sha256(exercise.text.encode()).hexdigest()
+    parts = "\n".join((exercise.text, *exercise.tools))
+    digest = hashlib.sha256(parts.encode()).hexdigest()
     versions = {"dhlab": _version(), "numpy": np.__version__, "python": platform.python_version()}
     return Run(exercise.name, digest, order.course, seed, order.sandbox, versions)
 

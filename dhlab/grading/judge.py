@@ -1,10 +1,12 @@
 """From what came for a question to points and a sentence, in the notebook and when it is marked."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from dhlab.grading.asked import NoValue
+from dhlab.grading.inside.plain import LINE
 from dhlab.grading.question import Question
 
 RIGHT, WRONG, UNJUDGED = "right", "wrong", "not judged"
@@ -18,6 +20,8 @@ SENTENCES = {
     "not numbers": "`{name}` is not made of numbers.",
     "ended": "`{name}` ended the whole program: is there an exit in it?",
 }
+
+NUMBER = re.compile(r"(?<!\w)[-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
 HANDLES = {
     "robot": "a robot",
@@ -77,9 +81,10 @@ def judge(question: Question, cases: Sequence[tuple[tuple[Any, ...], Any]]) -> J
     >>> judge(question, [((), rotz(-0.3))]).mistakes
     ('sign-1', 'inverse')
     """
-    nothing = next((value for _, value in cases if isinstance(value, NoValue)), None)
-    if nothing is not None:
-        return _zero(question, nothing.reason, _without_value(question, nothing))
+    for k, (_, value) in enumerate(cases):
+        if isinstance(value, NoValue):
+            is_further = k >= len(question.examples)
+            return _zero(question, value.reason, _without_value(question, value, is_further))
     try:
         verdict = question.task.judge(cases)
     except Exception as error:
@@ -97,11 +102,15 @@ def _zero(question: Question, reason: str, text: str, mistakes: tuple[str, ...] 
     return Judged(question.name, 0, question.points, False, reason, text, mistakes)
 
 
-def _without_value(question: Question, nothing: NoValue) -> str:
+def _without_value(question: Question, nothing: NoValue, is_further: bool) -> str:
+    """Say why there is no value; of a case that the student does not see without its numbers."""
     head = SENTENCES.get(nothing.reason, "There is no value of `{name}`.")
     if nothing.reason == "not numbers" and question.kind in HANDLES:
         head = f"`{{name}}` cannot be read: {HANDLES[question.kind]} is asked for."
     head = head.format(name=question.name)
     if nothing.reason == "stub":
         return f"{head} {question.hint}".rstrip()
-    return f"{head} ({nothing.text})" if nothing.text else head
+    text, mark, line = nothing.text.partition(LINE)
+    if is_further:
+        text = NUMBER.sub("#", text)
+    return f"{head} ({text}{mark}{line})" if nothing.text else head

@@ -28,7 +28,7 @@ class Run:
     ----------
     exercise : str
     digest : str
-        SHA-256 of its `checks.py`.
+        SHA-256 of its `checks.py` and of what answers may use.
     course : str
     seed : int
         The hidden cases are drawn from it.

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from dhlab.grading.asked import NoValue
-from dhlab.grading.inside.plain import NotPlain, tidy
+from dhlab.grading.inside.plain import LINE, NotPlain, tidy
 from dhlab.grading.judge import judge
 from dhlab.grading.question import Arguments, Question
 from dhlab.grading.said import Said
@@ -93,7 +93,7 @@ def _told(error: BaseException, function: Any = None) -> str:
     frames = [f for f in traceback.extract_tb(error.__traceback__) if f.filename == file]
     if frames:
         line = linecache.getline(frames[-1].filename, frames[-1].lineno or 0).strip()
-        text += f", in the line `{tidy(line)}`" if line else ""
+        text += f"{LINE}`{tidy(line)}`" if line else ""
     return text
 
 

@@ -165,6 +165,12 @@ def test_a_changed_exercise_marks_everybody_anew(few):
     assert grades(few)["ada"]["score"] == "6"
 
 
+def test_another_tool_for_answers_marks_everybody_anew(few):
+    (few / "exercises" / NAME / "exercise.py").write_text("# %%\nfrom dhlab import rotz\n")
+    assert marked_again(few) == 3
+    assert marked_again(few) == 0
+
+
 def test_who_has_left_leaves_no_feedback_behind(few):
     (few / "class" / "eve.ipynb").rename(few / "class" / "zoe.ipynb")
     (few / "results" / "feedback" / "mine.txt").write_text("the instructor's own")

@@ -6,7 +6,7 @@ from types import TracebackType
 from typing import Any
 
 from dhlab.grading.inside.handles import READERS
-from dhlab.grading.inside.plain import NotPlain, tidy, to_json
+from dhlab.grading.inside.plain import LINE, NotPlain, tidy, to_json
 
 CELL = "cell "
 """How the file names of cells begin: "cell 3"."""
@@ -65,7 +65,7 @@ def told(error: BaseException) -> str:
     try:
         text = tidy(f"{type(error).__name__}: {error}".rstrip(": "), 140)
         line = _line_of(error.__traceback__)
-        return tidy(f"{text}, in the line `{line}`" if line else text)
+        return tidy(f"{text}{LINE}`{line}`" if line else text)
     except BaseException:
         return "an error that cannot be told"
 

@@ -15,6 +15,8 @@ import numpy as np
 MOST_NUMBERS = 100_000
 LONGEST_TEXT = 1_000
 DEEPEST = 8
+LINE = ", in the line "
+"""What stands between an error and the student's line that it came from."""
 NOT_FINITE = {"nan": math.nan, "inf": math.inf, "-inf": -math.inf}
 VISIBLE = {ord("<"): "\u2039", ord(">"): "\u203a"}  # no text of a student is ever live HTML
 

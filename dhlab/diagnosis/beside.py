@@ -142,7 +142,14 @@ def _limits_off(chain: Chain, came: Floats, signs: Floats, offsets: Floats) -> V
         return None
     joint, end = np.argwhere(off)[0].tolist()
     word = ("lower", "upper")[end]
-    seen = f"The table is right. The {word} limit of joint {joint + 1} is not the one asked for."
+    off_limit = f"he {word} limit of joint {joint + 1} is not the one asked for."
+    flipped = ", ".join(str(i + 1) for i in np.flatnonzero(signs < 0))
+    seen = f"The table is right. T{off_limit}"
+    if flipped:
+        seen = (
+            f"The tip moves as it should if joint {flipped} counts the other way than in our "
+            f"table; then t{off_limit}"
+        )
     turning = np.array([k == "r" for k in chain.kinds])[:, None]
     question = "In which unit, and from which zero, does each joint count?"
     ways: list[tuple[Mistake, Floats]] = [
@@ -154,19 +161,30 @@ def _limits_off(chain: Chain, came: Floats, signs: Floats, offsets: Floats) -> V
             mistake("limits-missing", "no limits are given", "How far can each joint go?"),
             np.broadcast_to([-np.inf, np.inf], wanted.shape),
         ),
-        (
-            mistake(
-                "limits-sign", "the limits are those of joints that count the other way", question
-            ),
-            -wanted[:, ::-1],
-        ),
+        *(_sense_ways(chain) if (signs < 0).any() else _zero_ways(chain, wanted)),
+    ]
+    found = [(m,) for m, made in ways if np.allclose(came, made, rtol=NEAR, atol=NEAR)]
+    return verdict_of(seen, found)
+
+
+def _zero_ways(chain: Chain, wanted: Floats) -> list[tuple[Mistake, Floats]]:
+    """Limits as they are where a table is ours but for its zeros."""
+    question = "In which unit, and from which zero, does each joint count?"
+    other = "the limits are those of joints that count the other way"
+    return [
+        (mistake("limits-sign", other, question), -wanted[:, ::-1]),
         (
             mistake("limits-zero", "the limits count from another zero", question),
             np.sort(chain.limits, axis=1),
         ),
     ]
-    found = [(m,) for m, made in ways if np.allclose(came, made, rtol=NEAR, atol=NEAR)]
-    return verdict_of(seen, found)
+
+
+def _sense_ways(chain: Chain) -> list[tuple[Mistake, Floats]]:
+    """Limits as they are where a table has turned axes over."""
+    question = "Which way does each joint turn by its table, and which way is meant?"
+    over = "an axis of the table is turned over, and its limits are not"
+    return [(mistake("limits-sense", over, question), np.sort(chain.limits, axis=1))]
 
 
 def _stands_off(chain: Chain, came: Floats, wanted: Floats) -> Verdict | None:

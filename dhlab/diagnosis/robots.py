@@ -19,11 +19,21 @@ from dhlab.errors import InputError
 from dhlab.kinematics.chain import Chain
 from dhlab.kinematics.mechanism import Mechanism
 
-OTHERWISE = "Frames inside stand otherwise than in our tables, and all tips move as they should."
+OTHERWISE = (
+    "One of several right robots: all tips move as they should, though frames inside stand "
+    "otherwise than in our tables."
+)
 HANGS = mistake(
     "attached-elsewhere",
     "a part hangs on another frame, or on another part, than it should",
     "Which frame carries it when all joints are at rest, and which when they move?",
+)
+
+
+ORDER = mistake(
+    "parts-order",
+    "the parts are joined in another order than asked for",
+    "Whose joints come first in q?",
 )
 
 
@@ -47,6 +57,8 @@ class RobotTask:
         Whether the limits of the joints are asked for.
     q : array_like, shape (n,), optional [rad or m]
         The configuration the robot is to be in, told in the variables of `robot`.
+    ordered : bool
+        Whether parts must come in the order of `robot`; else they are told by their names.
 
     Examples
     --------
@@ -64,6 +76,7 @@ class RobotTask:
     zero_free: bool = True
     limits: bool = False
     q: Sequence[float] | None = None
+    ordered: bool = False
 
     def __post_init__(self) -> None:
         """Refuse what cannot be told apart."""
@@ -87,9 +100,17 @@ class RobotTask:
         wanted = self._wanted()
         try:
             values = parts_told(value, self._names())
-            return self._compared(wanted, value, values)
+            verdict = self._compared(wanted, value, values)
         except Unreadable as refusal:
             return Verdict(False, str(refusal))
+        told = value["components"] if self._names() else values
+        if (
+            verdict.right
+            and self.ordered
+            and any(a is not b for a, b in zip(told, values, strict=True))
+        ):
+            return verdict_of("Each part is right, and hangs where it should.", [(ORDER,)])
+        return verdict
 
     def _compared(
         self, wanted: Sequence[Part], value: Mapping[str, Any], values: Sequence[Mapping[str, Any]]

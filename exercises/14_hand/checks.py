@@ -39,7 +39,7 @@ def questions(given):
         ),
         Question(
             "hand",
-            RobotTask(hand.mechanism, limits=True),
+            RobotTask(hand.mechanism, limits=True, ordered=True),
             points=4,
             kind="robot",
             hint="robot_complex(thumb(), finger('index'), ...): five fingers on one base.",

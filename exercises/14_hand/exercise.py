@@ -88,7 +88,8 @@ def thumb():
 
 # %% hand-task [markdown]
 # Make the `hand`: `robot_complex(...)` of the thumb, the index, the middle, the ring and the little
-# finger, in this order. Its base stays where {H} is.
+# finger, in this order: so their joints follow each other in $q$. A robot can be part of one other
+# only, so make each finger anew by your function.
 
 # %% hand-answer
 ### BEGIN SOLUTION

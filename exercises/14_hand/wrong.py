@@ -31,6 +31,12 @@ index = robot(
     "rrrr", name="index", base=index.base, grasper=index.grasper, limits=index.limits,
 )
 
+# %% index: limits-sense
+index = robot(
+    [dh(0, 0, 0, 0), *index.own.chain.rows[1:]], "rrrr", name="index", base=index.base,
+    grasper=index.grasper, limits=index.limits,
+)
+
 # %% index: fewer rows
 index = robot(
     index.own.chain.rows[1:], "rrr", name="index", base=index.base, grasper=index.grasper
@@ -38,6 +44,11 @@ index = robot(
 
 # %% hand: fewer chains
 hand = robot_complex(thumb(), finger("index"), finger("middle"), finger("ring"), name="hand")
+
+# %% hand: parts-order
+hand = robot_complex(
+    finger("index"), finger("middle"), finger("ring"), finger("little"), thumb(), name="hand"
+)
 
 # %% hand: which ones are joined
 hand = finger("index")

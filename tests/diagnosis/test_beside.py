@@ -9,6 +9,7 @@ from dhlab import robot
 from dhlab.diagnosis import RobotTask
 from dhlab.grading.values import from_json, to_json
 from dhlab.kinematics.chain import Chain
+from dhlab.kinematics.transforms import rotx, rp2t
 
 POLAR = Chain(
     [(0, 0, 0, 0), (pi / 2, 0, 0, 0), (-pi / 2, 0, 0, 0)],
@@ -78,3 +79,15 @@ def test_limits_of_one_side_fit_too():
     assert task.judge(came(POLAR, limits, [0, 0.2, 0], offset=offset)).right
     limits[0, 0] = -5
     assert "lower limit of joint 1" in task.judge(came(POLAR, limits, [0, 0.2, 0])).text
+
+
+def test_a_table_with_its_axis_turned_over_needs_other_limits(keys):
+    swing = Chain([(0, 0, 0, 0), (0, 0.3, 0, 0)], "rr", limits=[(-1, 2), (-0.5, 0.4)])
+    over = [(pi, 0, 0, 0), (0, 0.3, 0, 0)]
+    task = RobotTask(swing, limits=True)
+    other = np.sort(-swing.limits, axis=1)
+    turned = {"rows": over, "grasper": rp2t(rotx(pi), (0, 0, 0))}
+    assert task.judge(came(swing, other, [0, 0], **turned)).right
+    verdict = task.judge(came(swing, swing.limits, [0, 0], **turned))
+    assert keys(verdict) == [{"limits-sense"}]
+    assert "if joint 1, 2 counts the other way than in our table" in verdict.text

@@ -157,3 +157,14 @@ def test_base_and_tool_of_a_robot_with_several_tips_are_not_free_at_once():
     with pytest.raises(InputError, match=wanted):
         RobotTask(hand().mechanism, base_free=True, tool_free=True)
     assert RobotTask(PLANAR, base_free=True, tool_free=True).judge([((), plain(as_robot(PLANAR)))])
+
+
+def test_the_order_of_the_parts_counts_where_it_is_asked_for(keys):
+    palm = robot([(0, 0, 0.1, 0)], "r", name="palm")
+    swapped = palm.connect(finger("lower", (0.1, 0, 0)), finger("upper", (0.1, 0.05, 0)))
+    assert RobotTask(hand().mechanism).judge([((), plain(swapped))]).right
+    task = RobotTask(hand().mechanism, ordered=True)
+    assert task.judge([((), plain(hand()))]).right
+    verdict = task.judge([((), plain(swapped))])
+    assert keys(verdict) == [{"parts-order"}]
+    assert RobotTask(PLANAR, ordered=True).judge([((), plain(as_robot(PLANAR)))]).right

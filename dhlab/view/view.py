@@ -110,11 +110,12 @@ class View:
 
         It stays open until `close` is called.
         """
-        from dhlab.view.widget import WidgetBackend
+        from dhlab.view.widget import WidgetBackend, shared_library
         from dhlab.view.wire import Wire
 
         with CHANGES:
             if self._shown is None or self._shown.widget.comm is None:
+                shared_library()  # the page loads the viewer while the scene is described
                 self._shown = WidgetBackend(Wire(self.nodes), name=self.name, **self._options)
                 self._backend = self._shown
                 shell = shell_with_kernel()

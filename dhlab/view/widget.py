@@ -20,9 +20,14 @@ Take = Callable[[Mapping[str, Any], list[Any]], None]
 class Library(anywidget.AnyWidget):
     """Carries the viewer's code into the page: once, however many views there are."""
 
-    _esm = "export default {};"
+    _esm = assets.bundle("librarian")
     meshcat = traitlets.Unicode(read_only=True).tag(sync=True)
     viewer = traitlets.Unicode(read_only=True).tag(sync=True)
+    digest = traitlets.Unicode(read_only=True).tag(sync=True)
+
+    @traitlets.default("digest")
+    def _digest(self) -> str:
+        return assets.digest()
 
     @traitlets.default("meshcat")
     def _meshcat(self) -> str:
@@ -77,11 +82,11 @@ class SceneWidget(anywidget.AnyWidget):
             model_id=own_id,
             own_id=own_id,
             library=library,
-            library_digest=assets.digest(),
+            library_digest=library.digest,
+            layout={"width": "100%"},
             **options,
         )
         self._is_new = False
-        self.layout.width = "100%"
         self.on_msg(self._answer)
 
     def send_batch(self, batch: list[Command]) -> None:

@@ -11,7 +11,7 @@ STATIC = files("dhlab.view") / "static"
 MODULES = sorted(path.name.removesuffix(".js") for path in STATIC.iterdir() if ".js" in path.name)
 
 
-@pytest.mark.parametrize("entry", ["connection", "loader"])
+@pytest.mark.parametrize("entry", ["connection", "loader", "librarian"])
 def test_a_bundle_imports_nothing(entry):
     assert "import {" not in assets.bundle(entry)
     assert not re.search(r"^import ", assets.bundle(entry), re.MULTILINE)
@@ -21,10 +21,16 @@ def test_the_viewer_exports_its_public_face_alone():
     assert re.findall(r"^export (.*?) ?\{", assets.viewer(), re.MULTILINE) == ["class Connection"]
 
 
+def test_both_loaders_are_small_and_have_what_loads_the_viewer_once():
+    for entry in ("loader", "librarian"):
+        assert assets.bundle(entry).count("const module_library =") == 1
+        assert len(assets.bundle(entry)) < 8_000
+
+
 def test_each_module_is_in_the_viewer_or_the_loader_once():
     text = assets.viewer() + assets.bundle("loader")
     of_saved_pages = {"blocks", "file", "sliders", "standalone", "unpack"}
-    for name in set(MODULES) - {"connection", "loader", "page"} - of_saved_pages:
+    for name in set(MODULES) - {"connection", "librarian", "loader", "page"} - of_saved_pages:
         if not name.startswith(("lesson", "markup")):
             assert text.count(f"const module_{name} =") == 1, name
 

@@ -152,6 +152,17 @@ def test_two_views_share_the_library(comms, box):
     assert sum(size > 500_000 for size in sizes) == 1
 
 
+def test_the_page_gets_the_viewer_before_the_scene_is_described(comms, box):
+    view = View().add(box)
+    first = []
+    describe = box.describe
+    box.describe = lambda name: first.append([*comms]) or describe(name)
+    assert view.widget.comm in comms
+    states = [comm.opened["data"]["state"] for comm in first[0]]
+    assert [state["digest"] for state in states if "meshcat" in state] == [assets.digest()]
+    assert not any("scene" in state for state in states)
+
+
 def test_the_library_comes_back_when_everything_was_closed(comms, box):
     from ipywidgets import Widget
 

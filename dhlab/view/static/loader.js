@@ -2,34 +2,14 @@
  * The module that each view's widget carries: it fetches the viewer, which lies once per page in
  * a widget of its own, and hands it the widget's messages.
  */
+import { loadViewer } from "./library.js";
 import { keepListening } from "./listening.js";
-import { sharedPage } from "./page.js";
-import { evaluateUmd } from "./umd.js";
 
 const PATIENCE = 240;
 
-function library(model) {
-  const { libraries } = sharedPage();
-  const digest = model.get("library_digest");
-  if (!libraries.has(digest)) {
-    const loading = load(model);
-    loading.catch(() => libraries.delete(digest));
-    libraries.set(digest, loading);
-  }
-  return libraries.get(digest);
-}
-
-async function load(model) {
-  const id = model.get("library").replace(/^IPY_MODEL_/, "");
-  const host = await model.widget_manager.get_model(id);
-  const page = sharedPage();
-  page.meshcat ??= evaluateUmd(host.get("meshcat"));
-  const url = URL.createObjectURL(new Blob([host.get("viewer")], { type: "text/javascript" }));
-  try {
-    return await import(url);
-  } finally {
-    URL.revokeObjectURL(url);
-  }
+function viewer(model) {
+  const host = model.get("library").replace(/^IPY_MODEL_/, "");
+  return loadViewer(model.get("library_digest"), () => model.widget_manager.get_model(host));
 }
 
 /** Messages may come before the viewer is there; what is too much is made up for by a snapshot. */
@@ -40,7 +20,7 @@ function openSession(model) {
   };
   model.on("msg:custom", (content, buffers) => deliver([content, buffers]));
   keepListening(model).catch(() => {}); // a page without a kernel has nothing to hear
-  const ready = library(model).then(({ Connection }) => {
+  const ready = viewer(model).then(({ Connection }) => {
     const connection = new Connection(model);
     deliver = ([content, buffers]) => connection.receive(content, buffers);
     waiting.forEach(deliver);

@@ -14,8 +14,12 @@ export function createMeshcat(pane, changed) {
   const listeners = [];
   const viewer = noting(listeners, () => new (sharedPage().meshcat.Viewer)(pane, false, renderer));
   const setSize = viewer.set_3d_pane_size.bind(viewer);
-  viewer.set_3d_pane_size = (width = pane.clientWidth, height = pane.clientHeight) =>
+  let size = "";
+  viewer.set_3d_pane_size = (width = pane.clientWidth, height = pane.clientHeight) => {
+    if (size === `${width} ${height}`) return; // each time it makes the picture's memory anew
+    size = `${width} ${height}`;
     setSize(Math.max(width, 1), Math.max(height, 1));
+  };
   viewer.set_dirty = () => {
     viewer.needs_render = true;
     changed();

@@ -124,10 +124,13 @@ class Mesh:
     def _render_arrays(self) -> RenderArrays:
         vertex = self.corners.vertex
         normals = corner_normals(self.vertices, self.corners, self.normals).astype(np.float32) + 0
-        shaded = np.column_stack([vertex.astype(np.int32), normals.view(np.int32)])
-        _, first, row = np.unique(shaded, axis=0, return_index=True, return_inverse=True)
+        order = np.lexsort((*normals.T, vertex))
+        shaded = np.column_stack([vertex, normals])[order]
+        is_first = np.append(True, (shaded[1:] != shaded[:-1]).any(axis=1))
+        first, row = order[is_first], np.empty_like(order)
+        row[order] = np.cumsum(is_first) - 1
         positions = self.vertices[vertex[first]].astype(np.float32)
-        triangles = row.ravel()[self._triangles].astype(np.uint32)
+        triangles = row[self._triangles].astype(np.uint32)
         return RenderArrays(_sealed(positions), _sealed(normals[first]), _sealed(triangles))
 
     def render_arrays(self) -> RenderArrays:

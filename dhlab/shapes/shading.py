@@ -30,17 +30,17 @@ def corner_normals(
     -------
     normals : ndarray, shape (c, 3)
     """
-    own = normals[corners.face]
-    weighted = own * _angles(vertices, corners, own)[:, None]
+    own = normals.T[:, corners.face]
+    weighted = own * _angles(vertices, corners, own)
     order = np.argsort(corners.vertex, kind="stable")
     count = np.bincount(corners.vertex)[corners.vertex[order]]
     first = np.searchsorted(corners.vertex[order], corners.vertex[order])
     start = np.cumsum(count) - count
     one = np.repeat(order, count)
     other = order[np.repeat(first - start, count) + np.arange(len(one))]
-    is_smooth = np.einsum("ij,ij->i", own[one], own[other]) >= _COS_CREASE
-    sums = np.empty_like(own)
-    sums[order] = np.add.reduceat(weighted[other] * is_smooth[:, None], start)
+    is_smooth = sum(n[one] * n[other] for n in own) >= _COS_CREASE
+    one, other = one[is_smooth], other[is_smooth]
+    sums = np.column_stack([np.bincount(one, part[other]) for part in weighted])
     result: NDArray[np.float64] = sums / np.linalg.norm(sums, axis=1, keepdims=True)
     return result
 
@@ -70,10 +70,14 @@ def feature_edges(corners: Corners, normals: NDArray[np.float64]) -> NDArray[np.
 def _angles(
     vertices: NDArray[np.float64], corners: Corners, normals: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Angle of the face at each corner, shape (c,) [rad], more than pi at a reflex one."""
-    here = vertices[corners.vertex]
-    out = vertices[corners.vertex[corners.following]] - here
-    back = vertices[corners.vertex[corners.preceding]] - here
-    sine = np.einsum("ij,ij->i", np.cross(out, back), normals)
-    angles: NDArray[np.float64] = np.arctan2(sine, np.einsum("ij,ij->i", out, back)) % (2 * np.pi)
+    """Angle of the face at each corner, shape (c,) [rad], more than pi at a reflex one.
+
+    The normals, shape (3, c), are those of the corners' faces.
+    """
+    here = vertices.T[:, corners.vertex]
+    x, y, z = here[:, corners.following] - here
+    u, v, w = here[:, corners.preceding] - here
+    across = (y * w - z * v, z * u - x * w, x * v - y * u)
+    sine = sum(part * normal for part, normal in zip(across, normals, strict=True))
+    angles: NDArray[np.float64] = np.arctan2(sine, x * u + y * v + z * w) % (2 * np.pi)
     return angles

@@ -36,7 +36,7 @@ def triangulate(
     normals = np.empty((len(faces), 3))
     is_convex = np.empty(len(faces), dtype=bool)
     triangles = []
-    for size in np.unique(sizes):
+    for size in sorted(set(sizes.tolist())):
         members = np.flatnonzero(sizes == size)
         outlines = vertices[np.array([faces[i] for i in members.tolist()])]
         normals[members], convex = _normals(outlines)

@@ -87,6 +87,11 @@ class Mesh:
         """Vertices of the triangles that the faces fall into, shape (k, 3)."""
         return _sealed(self.corners.vertex[self._triangles])
 
+    @property
+    def triangle_normals(self) -> NDArray[np.float64]:
+        """Unit normal of each triangle, which is its face's, shape (k, 3)."""
+        return self.normals[self.corners.face[self._triangles[:, 0]]]
+
     @cached_property
     def edges(self) -> NDArray[np.intp]:
         """Vertex pairs of the edges worth drawing, shape (e, 2): creases and borders."""

@@ -179,9 +179,7 @@ def gather(nodes: Mapping[str, Node]) -> tuple[Drawn, list[tuple[Label, Style, A
 
 def _mesh(mesh: Mesh, style: Style) -> list[Drawn]:
     corners = mesh.vertices[mesh.triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
-    brightness = 0.62 + 0.38 * (normals @ LIGHT)
+    brightness = 0.62 + 0.38 * (mesh.triangle_normals @ LIGHT)
     color = np.clip(brightness[:, None] * style.color, 0, 1)
     face = np.column_stack([color, np.full(len(color), style.opacity)])
     seam = face * [1, 1, 1, 0 if style.opacity < 1 else 1]

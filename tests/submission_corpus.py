@@ -1,5 +1,7 @@
 """Good, wrong, crashing, cheating and hostile submissions: what marking must bear.
 
+Files that cannot be read, and archives, are in `broken_files`.
+
 They stand in ``data/submissions/*.txt``, one below the other, as code after a line ``# %% name``.
 The code takes the place of the first answer of a good submission; it is the second cell of a good
 one after a line ``# one more cell``, and all of it, cell by cell, after ``# the whole``. Lines

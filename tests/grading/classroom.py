@@ -3,6 +3,8 @@
 import json
 import random
 
+from tests.broken_files import UNREADABLE
+
 CHECKS = '''
 """Two questions: a turn about z by the student's own angle, and one by any angle."""
 
@@ -84,17 +86,8 @@ def answered(name, kind="right"):
 
 def broken():
     """File name -> bytes of what cannot be read."""
-    whole = answered("x").encode()
-    return {
-        "Cut Off.ipynb": whole[: len(whole) // 2],
-        "Merge Conflict.ipynb": b"<<<<<<< HEAD\n" + whole + b"\n=======\n>>>>>>> mine\n",
-        "Nothing There.ipynb": b"",
-        "Png Picture.ipynb": b"\x89PNG\r\n\x1a\n" + bytes(100),
-        "Some Text.ipynb": b"I could not open the notebook.",
-        "Another Json.ipynb": b'{"name": "x"}',
-        "Web Page.ipynb": b"<!DOCTYPE html><title>Sign in</title>",
-        "Packed.zip": b"PK\x03\x04" + bytes(100),
-    }
+    files = {f"{kind.title()}.ipynb": content for kind, (content, _) in UNREADABLE.items()}
+    return files | {"Packed.zip": b"PK\x03\x04" + bytes(100)}
 
 
 def odd():

@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -17,6 +18,7 @@ from dhlab.errors import DhlabError
 from dhlab.grading.grade import Order, grade
 from dhlab.grading.journal import UNFINISHED
 from dhlab.grading.sandbox import SandboxError
+from tests.broken_files import TRICKS, UNREADABLE, write_tricks
 from tests.grading.classroom import CHECKS, NAME, NAMES, answered, write_class, write_exercise
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="answers are marked on Linux or macOS")
@@ -88,6 +90,13 @@ def test_a_class_of_forty_gets_what_its_answers_are_worth(marked):
     assert len(kinds) > 40
     check_class(folder, kinds)
     assert [row.student for row in results.rows] == sorted(kinds, key=str.casefold)
+
+
+@pytest.mark.parametrize("kind", UNREADABLE)
+def test_a_file_that_cannot_be_read_is_a_row_that_says_why(marked, kind):
+    row = next(row for row in marked[2].rows if row.student == kind.title())
+    assert (row.status, row.points) == ("unreadable", 0)
+    assert re.search(UNREADABLE[kind][1], row.reason)
 
 
 def test_the_results_hold_every_case_and_the_seed(marked):
@@ -201,6 +210,20 @@ def test_an_archive_gives_the_same_as_its_folder(few):
     )
     grade(other)
     assert grades(few) == before
+
+
+def test_an_archive_of_tricks_gives_each_student_a_row_and_nobody_else_less(few):
+    write_tricks(few / "tricks.zip", answered("good").encode())
+    exercise = few / "exercises" / NAME
+    before = sorted(few.rglob("*"))
+    found = grade(Order(exercise, few / "tricks.zip", few / "other", 7, "robots", sandbox="none"))
+    rows = {row.student: row for row in found.rows}
+    assert set(rows) == {"good", *TRICKS}
+    assert (rows["good"].status, rows["good"].points) == ("graded", 3)
+    for student, words in TRICKS.items():
+        assert (rows[student].status, rows[student].points) == ("unreadable", 0)
+        assert words in rows[student].reason
+    assert sorted(p for p in few.rglob("*") if few / "other" not in (p, *p.parents)) == before
 
 
 def test_results_may_lie_among_the_submissions(few):

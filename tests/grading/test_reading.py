@@ -8,15 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dhlab.errors import InputError
-from dhlab.grading.reading import MOST_CODE, read_notebook
-
-
-def notebook(*sources, nbformat=4, **metadata):
-    """Bytes of a notebook with these code cells."""
-    cells = [{"cell_type": "markdown", "source": "# Title"}]
-    cells += [{"cell_type": "code", "source": s, "outputs": [], "metadata": {}} for s in sources]
-    return json.dumps({"nbformat": nbformat, "metadata": metadata, "cells": cells}).encode()
-
+from dhlab.grading.reading import read_notebook
+from tests.broken_files import UNREADABLE, notebook
 
 GOOD = notebook("a = 1", ["b = 2\n", "c = 3"])
 
@@ -97,35 +90,9 @@ def test_cells_that_are_none_are_passed_over():
     )
 
 
-CONFLICT = GOOD.replace(b'"a = 1"', b'\n<<<<<<< HEAD\n"a = 1"\n=======\n"a = 2"\n>>>>>>> mine\n')
-BROKEN = {
-    "empty": (b"", "is empty"),
-    "blank": (b" \n\t", "is empty"),
-    "picture": (b"\x89PNG\r\n\x1a\n...", "is a PNG picture, not a notebook"),
-    "document": (b"%PDF-1.7", "is a PDF document, not a notebook"),
-    "archive": (b"PK\x03\x04....", "is a zip archive, not a notebook"),
-    "script": (b"import numpy as np\n", "is some other text, not a notebook"),
-    "page": (b"\n<!DOCTYPE html><html></html>", "is a web page, not a notebook"),
-    "binary": (bytes(range(128, 256)), "is some other text, not a notebook"),
-    "cut off in a string": (GOOD[: GOOD.index(b"b = 2")], "is cut off: it ends within line 1"),
-    "cut off after a comma": (GOOD[: GOOD.index(b", ") + 2], "is cut off"),
-    "cut off at the end": (GOOD[:-1], "is cut off"),
-    "conflict": (CONFLICT, r"has the marks of an unfinished merge \('<<<<<<<.*' in line 2\)"),
-    "comma": (b'{"cells": [],}', r"is damaged in line 1 \("),
-    "list": (b"[1, 2]", "not a notebook"),
-    "number": (b"17", "not a notebook"),
-    "no cells": (b'{"nbformat": 4}', "is not a notebook: it has no cells"),
-    "cells of another kind": (b'{"cells": {"a": 1}}', "is not a notebook: it has no cells"),
-    "deep": (b'{"cells": ' + b"[" * 100_000, "is nested too deeply"),
-    "long number": (b'{"cells": [' + b"9" * 5000 + b"]}", "a number too long"),
-    "many": (b'{"cells": [' + b"[]," * 2_000_001 + b"1]}", "more than 2 million lists"),
-    "much code": (notebook("x" * (MOST_CODE + 1)), "holds more than 2 MB of code"),
-}
-
-
-@pytest.mark.parametrize("kind", BROKEN)
+@pytest.mark.parametrize("kind", UNREADABLE)
 def test_what_cannot_be_read_is_one_phrase(kind):
-    content, words = BROKEN[kind]
+    content, words = UNREADABLE[kind]
     with pytest.raises(InputError, match=words):
         read_notebook(content)
 

@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from dhlab.cli.commands import Commands
+from dhlab.cli.commands import Commands, add_command
 from dhlab.errors import DhlabError
 from dhlab.workcopy import home
 
@@ -24,22 +24,15 @@ diagnosis, or if the notebook still holds a line of an answer.\
 NEW = """\
 Begin a new exercise: a copy of another one, to be changed.\
 """
-RAW = argparse.RawDescriptionHelpFormatter
 
 
 def add_exercise(commands: Commands) -> None:
     """Add `dhlab exercise`."""
-    exercise = commands.add_parser(
-        "exercise",
-        help="make the notebooks of exercises, or begin a new exercise",
-        description=EXERCISE,
-        formatter_class=RAW,
-    )
+    short = "make the notebooks of exercises, or begin a new exercise"
+    exercise = add_command(commands, "exercise", short, EXERCISE)
     kinds = exercise.add_subparsers(title="what to do", metavar="WHAT", required=True)
-    build = kinds.add_parser(
-        "build", help="prove exercises and make their notebooks", description=BUILD,
-        formatter_class=RAW,
-    )  # fmt: skip
+    short = "prove exercises and make their notebooks"
+    build = add_command(kinds, "build", short, BUILD, run_build)
     build.add_argument(
         "folders",
         nargs="*",
@@ -48,8 +41,7 @@ def add_exercise(commands: Commands) -> None:
         metavar="FOLDER",
         help="exercises, or folders of them (default: exercises)",
     )
-    build.set_defaults(run=run_build)
-    new = kinds.add_parser("new", help="begin a new exercise", description=NEW)
+    new = add_command(kinds, "new", "begin a new exercise", NEW, run_new)
     new.add_argument("folder", type=Path, metavar="FOLDER", help="such as exercises/12_my_arm")
     new.add_argument(
         "--like",
@@ -57,7 +49,6 @@ def add_exercise(commands: Commands) -> None:
         metavar="FOLDER",
         help="the exercise to copy (default: the first that came with dhlab)",
     )
-    new.set_defaults(run=run_new)
 
 
 def run_build(options: argparse.Namespace) -> int:

@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from dhlab.cli.commands import Commands
+from dhlab.cli.commands import Commands, add_command
 from dhlab.errors import InputError
 
 EXPORT = """\
@@ -16,12 +16,8 @@ The page opens from disk by double click, offline, on a phone too.\
 
 def add_export(commands: Commands) -> None:
     """Add `dhlab export`."""
-    export = commands.add_parser(
-        "export",
-        help="write a model or a lesson as one HTML file that needs nothing else",
-        description=EXPORT,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+    short = "write a model or a lesson as one HTML file that needs nothing else"
+    export = add_command(commands, "export", short, EXPORT, run_export)
     export.add_argument(
         "name", metavar="NAME", help="of a model such as upper_limb, or a lesson such as detour"
     )
@@ -36,7 +32,6 @@ def add_export(commands: Commands) -> None:
         action="store_true",
         help="of a model: the lesson that walks through its table",
     )
-    export.set_defaults(run=run_export)
 
 
 def run_export(options: argparse.Namespace) -> int:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from dhlab.cli.commands import Commands
+from dhlab.cli.commands import Commands, add_command
 from dhlab.cli.progress import Progress
 
 if TYPE_CHECKING:
@@ -35,13 +35,8 @@ MOST_TOLD = 10
 
 def add_grade(commands: Commands) -> None:
     """Add `dhlab grade`."""
-    grade = commands.add_parser(
-        "grade",
-        help="mark a class's notebooks",
-        description=GRADE,
-        epilog=RESULTS,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+    short = "mark a class's notebooks"
+    grade = add_command(commands, "grade", short, GRADE, run_grade, RESULTS)
     grade.add_argument("exercise", type=Path, metavar="EXERCISE", help="folder of the exercise")
     grade.add_argument("submissions", type=Path, metavar="SUBMISSIONS", help="what was handed in")
     grade.add_argument("--out", required=True, type=Path, metavar="RESULTS", help="a folder")
@@ -69,7 +64,6 @@ def add_grade(commands: Commands) -> None:
         default="bwrap",
         help="none: run the students' code unprotected, with all that you may do yourself",
     )
-    grade.set_defaults(run=run_grade)
 
 
 def run_grade(options: argparse.Namespace) -> int:

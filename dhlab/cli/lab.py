@@ -4,7 +4,7 @@ import argparse
 import os
 from pathlib import Path
 
-from dhlab.cli.commands import Commands
+from dhlab.cli.commands import Commands, add_command
 from dhlab.workcopy import Refreshed, refresh, shipped
 
 LAB = """\
@@ -19,12 +19,8 @@ INDEX = "notebooks/index.ipynb"
 
 def add_lab(commands: Commands) -> None:
     """Add `dhlab lab`."""
-    lab = commands.add_parser(
-        "lab",
-        help="open JupyterLab on your own copy of the notebooks",
-        description=LAB,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+    short = "open JupyterLab on your own copy of the notebooks"
+    lab = add_command(commands, "lab", short, LAB, run_lab)
     lab.add_argument(
         "--dir",
         type=Path,
@@ -44,7 +40,6 @@ def add_lab(commands: Commands) -> None:
         action="store_true",
         help="let everybody in who reaches the port; only where that is yourself alone",
     )
-    lab.set_defaults(run=run_lab)
 
 
 def run_lab(options: argparse.Namespace) -> int:

@@ -5,7 +5,7 @@ import sys
 from collections.abc import Callable, Sequence
 from importlib.metadata import PackageNotFoundError, version
 
-from dhlab.cli.commands import Commands
+from dhlab.cli.commands import Commands, Run
 from dhlab.cli.exercise import add_exercise
 from dhlab.cli.export import add_export
 from dhlab.cli.grade import add_grade
@@ -44,7 +44,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit status.
     """
     options = parser().parse_args(arguments)
-    run: Callable[[argparse.Namespace], int] = options.run
+    run: Run = options.run
     try:
         return run(options)
     except (DhlabError, OSError) as error:

@@ -49,6 +49,20 @@ poses = {"": np.eye(4)}
 for path, node in view.nodes.items():
     poses[path] = poses[path.rpartition("/")[0]] @ node.matrix
 """
+MARKED = """
+q0, q1 = limb.clip(limb.home - 0.5), limb.clip(limb.home + 0.5)
+move = lambda t: q0 + t * (q1 - q0)
+limb.show_csys = True
+animate(np.linspace(0, 1, 5), {limb: move}, trace=True)
+view.flush(); panel.flush()
+"""
+LABELS = """Object.fromEntries([...view.scene.nodes.values()]
+  .filter(({ shape }) => shape?.kind === "label").map(({ path }) => [path, view.pose(path)]))"""
+TRACES = """[...view.scene.nodes.values()].filter(({ path }) => path.includes(".traces/"))
+  .map(({ path, shape }) => {
+    const drawn = stage.tree.group(path).children[0].geometry.drawRange.count / 6;
+    return [path, drawn, [...shape.segments.subarray(6 * drawn - 3, 6 * drawn)]];
+  })"""
 SAME_FRAME = """async (handle) => {
   const view = globalThis[Symbol.for("dhlab.page")].views.findLast(({ name }) => name === "limb");
   const stage = view.stages.at(-1);
@@ -234,6 +248,35 @@ def test_a_slider_moves_all_bodies_in_the_same_frame_while_the_kernel_is_busy(
     notebook.execute(WORLD)
     python = notebook.value(f"[poses[path] for path in {paths!r}]")
     assert np.abs(np.reshape(page, (-1, 4, 4)) - python).max() < 1e-6
+
+
+def test_labels_and_traces_follow_while_the_kernel_is_busy(notebook, sliders):
+    shown = notebook.view("limb")
+    player = "view.scene.players[0]"
+    grasper = "[...view.scene.paths.keys()].find((path) => path.endsWith('/{}/1/2/3/4/grasper'))"
+    with notebook.busy(MARKED):
+        shown.wait_until(f"{player}?.time === 1 && !{player}.playing", seconds=60)
+        for step in (1, 3, 4):
+            shown.evaluate(f"{player}.seek({step / 4})")
+            traces = shown.evaluate(TRACES)
+            assert len(traces) == 5
+            for path, drawn, end in traces:
+                finger = path.rpartition(" ")[2]
+                tip = shown.pose(shown.evaluate(grasper.format(finger)))[:3, 3]
+                assert drawn == step
+                assert end == pytest.approx(tip, abs=1e-6)
+        before = shown.evaluate(LABELS)
+        sliders.handle(0).evaluate(PRESS_FIVE_TIMES)
+        after = shown.evaluate(LABELS)
+        assert len(before) > 27
+        moved = [path for path in before if not np.allclose(before[path], after[path], atol=1e-4)]
+        assert len(moved) > 27
+        assert shown.evaluate(TRACES) == traces
+    sliders.wait_until_heard(0)
+    notebook.execute(WORLD)
+    python = notebook.value(f"[poses[path] for path in {list(after)}]")
+    assert np.abs(np.reshape(list(after.values()), (-1, 4, 4)) - python).max() < 1e-6
+    notebook.execute("limb.clear_traces(); limb.show_csys = False; view.flush()")
 
 
 def test_a_drag_to_the_end_is_the_limit_bit_for_bit(notebook, sliders):

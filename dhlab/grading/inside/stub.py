@@ -6,12 +6,13 @@ checks, so every name of dhlab can be imported and called; it gives `Nothing`.
 
 import copy
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, MutableMapping, Sequence
 from importlib.machinery import ModuleSpec
 from math import pi
 from types import ModuleType
 from typing import Any, NamedTuple, NoReturn
 
+from dhlab.grading.inside.answers import reply
 from dhlab.grading.inside.notes import USES
 from dhlab.grading.inside.plain import Missing
 
@@ -95,24 +96,23 @@ for _method in AS_NUMBER:
 
 
 class Checks:
-    """The check of a notebook: it gives the student's numbers and checks nothing.
+    """The check of a notebook: it gives the student's numbers, notes answers and says nothing.
 
     Parameters
     ----------
-    given : mapping
-        The numbers of the student who is marked.
+    stage : Stage
     named : callable
         Told the name that the notebook gives.
     """
 
-    def __init__(self, given: Mapping[str, Any], named: Callable[[str], None]) -> None:
-        self._given = given
+    def __init__(self, stage: "Stage", named: Callable[[str], None]) -> None:
+        self._stage = stage
         self._named = named
 
     def numbers(self, student: Any = "") -> dict[str, Any]:
         """Return the numbers of the student who is marked, whoever is named."""
         self._named(str(student))
-        return copy.deepcopy(dict(self._given))
+        return copy.deepcopy(dict(self._stage.given))
 
     def picture(self, *_: Any) -> tuple[Any, ...]:
         """Draw nothing."""
@@ -121,8 +121,12 @@ class Checks:
     def show(self, *_: Any) -> None:
         """Draw nothing."""
 
-    def __call__(self, *_: Any, **__: Any) -> None:
-        """Say nothing."""
+    def __call__(self, name: Any = None, answer: Any = ..., *_: Any, **__: Any) -> None:
+        """Note the answer as it is now, if it is one of those that are plain data."""
+        if isinstance(name, str) and name in self._stage.plain:
+            self._stage.seen.pop(name, None)
+            if answer is not ...:
+                self._stage.seen[name] = reply({name: answer}, name, self._stage.plain[name], ())
 
 
 class Library:
@@ -176,11 +180,17 @@ class Stage(NamedTuple):
         "dhlab", or the parts of it that are replaced where the rest is real.
     tools : mapping
         What is real all the same.
+    plain : mapping of str to str
+        The kinds of the answers that are plain data and no functions, by name.
+    seen : mapping of str to dict
+        Filled with the reply of each of these that a check saw, as it was when it saw it last.
     """
 
     given: Mapping[str, Any]
     parts: Sequence[str]
     tools: Mapping[str, Any]
+    plain: Mapping[str, str]
+    seen: MutableMapping[str, dict[str, Any]]
 
 
 def install(stage: Stage, said: Callable[[str], None], named: Callable[[str], None]) -> None:
@@ -194,7 +204,7 @@ def install(stage: Stage, said: Callable[[str], None], named: Callable[[str], No
     """
 
     def checks(*_: Any, **__: Any) -> Checks:
-        return Checks(stage.given, named)
+        return Checks(stage, named)
 
     real: dict[str, Any] = {"checks": checks}
     if "dhlab" in stage.parts:

@@ -10,7 +10,7 @@ import threading
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass
-from typing import Any, Literal, TypeAlias, get_args
+from typing import Any, BinaryIO, Literal, TypeAlias, get_args
 
 from dhlab.errors import DhlabError, InputError
 from dhlab.grading.mounts import (
@@ -128,9 +128,8 @@ def started(
     """
     check_sandbox(sandbox)
     compile_once()
-    with _scratch(sandbox) as folder, _filter(sandbox) as calls, tempfile.TemporaryFile() as source:
-        source.write(json.dumps(job, allow_nan=False).encode())
-        source.seek(0)
+    text = json.dumps(job, allow_nan=False).encode()
+    with _scratch(sandbox) as folder, _filter(sandbox) as calls, _readable(text) as source:
         process = subprocess.Popen(
             _bwrap(limits, room, calls) if sandbox == "bwrap" else _bare(room),
             stdin=source,
@@ -146,6 +145,29 @@ def started(
                 yield process
             finally:
                 end(process)
+
+
+@contextmanager
+def _readable(content: bytes) -> Iterator[BinaryIO]:
+    """Yield a file of this content; on Linux it is in memory, and nobody can write to it any more.
+
+    The first process of a sandbox holds it open, and an ordinary user's cells can look into that.
+    """
+    if sys.platform != "linux":
+        with tempfile.TemporaryFile() as file:
+            file.write(content)
+            file.seek(0)
+            yield file
+        return
+    import fcntl
+
+    seals = fcntl.F_SEAL_WRITE | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_SEAL
+    descriptor = os.memfd_create("job", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
+    with open(descriptor, "w+b") as file:
+        file.write(content)
+        file.seek(0)
+        fcntl.fcntl(file, fcntl.F_ADD_SEALS, seals)
+        yield file
 
 
 @contextmanager

@@ -20,6 +20,14 @@ from dhlab.grading.runner import run_cells
 from dhlab.grading.sandbox import Limits, SandboxError, check_sandbox, started
 
 ROOT = Path(__file__).parents[2]
+WRITE_TO_JOB = """
+wrote = 0
+try:
+    with open("/proc/1/fd/0", "r+b", 0) as f:
+        wrote = f.write(b"x" * 9)
+except OSError:
+    pass
+"""
 SHORT = Limits(cpu=2, wall=3)
 HALF = "def half(x):\n    return x / 2"
 
@@ -40,6 +48,18 @@ def bwrap(sandbox):
     """Skip where there is no bubblewrap."""
     if sandbox != "bwrap":
         pytest.skip("needs bubblewrap, which does not work here")
+
+
+@pytest.fixture
+def another_bwrap(monkeypatch, tmp_path):
+    """A function that puts a script in the place of bubblewrap."""
+
+    def put(script):
+        (tmp_path / "bwrap").write_text(f"#!/bin/sh\n{script}\n")
+        (tmp_path / "bwrap").chmod(0o755)
+        monkeypatch.setenv("PATH", str(tmp_path))
+
+    return put
 
 
 def test_a_function_is_asked_for_all_its_cases(run):
@@ -191,29 +211,21 @@ def test_without_bubblewrap_nothing_runs(monkeypatch, tmp_path):
     assert not list(tmp_path.iterdir())
 
 
-def test_a_bubblewrap_that_does_not_work_is_told(monkeypatch, tmp_path):
-    fake = tmp_path / "bwrap"
-    fake.write_text("#!/bin/sh\necho 'No permissions to create new namespace' >&2\nexit 1\n")
-    fake.chmod(0o755)
-    monkeypatch.setenv("PATH", str(tmp_path))
+def test_a_bubblewrap_that_does_not_work_is_told(another_bwrap):
+    another_bwrap("echo 'No permissions to create new namespace' >&2\nexit 1")
     with pytest.raises(SandboxError, match="No permissions to create new namespace"):
         run_cells(["x = 1"], [Ask("x")], {})
 
 
-def test_a_sandbox_that_did_not_begin_once_begins_again(bwrap, monkeypatch, tmp_path):
-    real, fake, failed = shutil.which("bwrap"), tmp_path / "bwrap", tmp_path / "failed"
-    fake.write_text(f'#!/bin/sh\n[ -e {failed} ] || {{ : > {failed}; exit 137; }}\n{real} "$@"\n')
-    fake.chmod(0o755)
-    monkeypatch.setenv("PATH", str(tmp_path))
+def test_a_sandbox_that_did_not_begin_once_begins_again(bwrap, another_bwrap, tmp_path):
+    real, failed = shutil.which("bwrap"), tmp_path / "failed"
+    another_bwrap(f'[ -e {failed} ] || {{ : > {failed}; exit 137; }}\n{real} "$@"')
     assert run_cells(["x = 1"], [Ask("x")], {}).replies["x"] == (1,)
     assert failed.exists()
 
 
-def test_a_sandbox_that_ends_without_a_word_is_told(monkeypatch, tmp_path):
-    fake = tmp_path / "bwrap"
-    fake.write_text("#!/bin/sh\nexit 137\n")
-    fake.chmod(0o755)
-    monkeypatch.setenv("PATH", str(tmp_path))
+def test_a_sandbox_that_ends_without_a_word_is_told(another_bwrap):
+    another_bwrap("exit 137")
     with pytest.raises(SandboxError, match="does not work here: it ended with the status 137"):
         run_cells(["x = 1"], [Ask("x")], {})
 
@@ -254,9 +266,9 @@ def test_without_the_rights_of_root_it_works_too_beside_many_programs(bwrap, pro
         "import subprocess\n"
         "from dhlab.grading.asked import Ask\nfrom dhlab.grading.runner import run_cells\n"
         "others = [subprocess.Popen(['sleep', '600']) for _ in range(40)]\n"
-        "cells = ['import os', 'x = [os.getuid(), 7]']\n"
+        f"cells = ['import os', {WRITE_TO_JOB!r}, 'x = [os.getuid(), wrote]']\n"
         f"run = run_cells(cells, [Ask('x')], {{}}, sandbox={protected!r})\n"
         "for other in others:\n    other.kill()\n"
         "print(*run.replies['x'][0])",
     )
-    assert done.stdout == "65534.0 7.0\n", done.stderr
+    assert done.stdout == "65534.0 0.0\n", done.stderr

@@ -21,7 +21,7 @@ the fewer the alternatives: three inputs without zeros and right angles tell mos
   product is applied to; `triples`: the angles of a rotation
 - `trajectory`, `motion`: a cubic or a quintic from one configuration to another
 - `link`: the function of one row; `forward`: the pose of a chain's tip; `table_model`,
-  `chain_slips`: a table in numbers, and what goes wrong in it
+  `chain_slips`, `end_slips`: a table in numbers, and what goes wrong in and around it
 - `tables`, `reading`, `table_search`: a table that came; `gauge`, `waiting`: when two tables are
   the same mechanism; `robots`, `hanging`: one or several chains that came; `paths`, `renaming`,
   `zeros`: when two of these are the same; `beside`: limits, and where a robot stands

@@ -8,10 +8,11 @@ from math import degrees, pi, radians
 import numpy as np
 
 from dhlab.diagnosis.after import after_slips
+from dhlab.diagnosis.end_slips import end_slips, no_offset, offset_slips, parts_of_ends
 from dhlab.diagnosis.product import After
 from dhlab.diagnosis.slips import Slip
 from dhlab.diagnosis.table_model import Table
-from dhlab.diagnosis.values import Floats, inverted
+from dhlab.diagnosis.values import Floats
 from dhlab.diagnosis.verdict import Mistake, mistake
 from dhlab.kinematics.chain import Chain
 
@@ -30,7 +31,7 @@ def chain_slips(chain: Chain) -> list[Slip[Table]]:
         *_columns(),
         *_joints(chain),
     ]
-    slips += _ends(chain)
+    slips += end_slips(chain)
     return slips + [_after(m, change) for m, change in after_slips(rotation=False)]
 
 
@@ -43,8 +44,10 @@ def table_slips(chain: Chain) -> list[Slip[Table]]:
         *_links(),
         _convention(chain),
         *_columns(),
-        *_zeros(chain),
-        *_ends(chain),
+        *no_offset(chain),
+        *offset_slips(chain),
+        *end_slips(chain),
+        *parts_of_ends(chain),
     ]
 
 
@@ -187,17 +190,9 @@ def _all_lengths(t: Table, factor: float) -> Table:
     return replace(t, rows=rows, base=base, tool=tool)
 
 
-def _zeros(chain: Chain) -> Iterator[Slip[Table]]:
-    if chain.offset.any():
-        yield Slip(
-            mistake("no-offset", "the offset is forgotten", "Where does each joint count from?"),
-            lambda t: replace(t, offset=np.zeros(chain.n)),
-        )
-
-
 def _joints(chain: Chain) -> Iterator[Slip[Table]]:
     n = chain.n
-    yield from _zeros(chain)
+    yield from no_offset(chain)
     if chain.home.any():
         when = "the home value of the table is added to the joint variable"
         question = "Does a joint variable stand in place of the table's value, or is it added?"
@@ -248,34 +243,3 @@ def _units(chain: Chain) -> Iterator[Slip[Table]]:
                 t, q=np.where(turning, t.q * factor, t.q)
             ),
         )
-
-
-def _ends(chain: Chain) -> Iterator[Slip[Table]]:
-    at_rest = {"base": chain.base, "tool": chain.grasper}
-    asked = {
-        "base": "In which frame is the tip asked for?",
-        "tool": "Which point of the hand is asked for?",
-    }
-    sides = {"base": ("right", "left", ("ctb", "cbt")), "tool": ("left", "right", ("tbc", "btc"))}
-    for end, pose in at_rest.items():
-        if np.array_equal(pose, np.eye(4)):
-            continue
-        for key, how, changed in (
-            (f"no-{end}", f"the {end} is left out", np.eye(4)),
-            (f"{end}-twice", f"the {end} is counted twice", pose @ pose),
-            (f"{end}-inverse", f"the inverse of the {end} is used", inverted(pose)),
-        ):
-            yield Slip(
-                mistake(key, how, asked[end]),
-                lambda t, end=end, changed=changed: replace(  # type: ignore[misc]
-                    t, **{end: changed}
-                ),
-            )
-        wrong, right, orders = sides[end]
-        when = f"the {end} is multiplied on the {wrong} instead of the {right}"
-        question = f"On which side of the product does the pose of the {end} stand?"
-        for order in orders:
-            yield Slip(
-                mistake(f"{end}-side", when, question),
-                lambda t, order=order: replace(t, ends=order),  # type: ignore[misc]
-            )

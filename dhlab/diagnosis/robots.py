@@ -151,7 +151,8 @@ class RobotTask:
             return self._beside(wanted, values, named) or tables
         i, T, goal = off
         seen = pose_seen(T, goal, f"the tip of {values[i].get('name', self._names()[i])}")
-        return verdict_of(f"Each part is right by itself. {seen}", [(HANGS,)])
+        moved = any((a.on, a.at) != (b.on, b.at) for a, b in zip(wanted, came, strict=True))
+        return verdict_of(f"Each part is right by itself. {seen}", [(HANGS,)] if moved else [])
 
     def _tables(self, wanted: Sequence[Part], values: Sequence[Mapping[str, Any]]) -> Verdict:
         """Judge the table of each part by itself."""

@@ -1,9 +1,11 @@
 """The search for what went wrong in a table, up to every choice that a right table may make."""
 
 from collections.abc import Callable, Iterator, Sequence
+from itertools import product
 from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from dhlab.diagnosis.chain_slips import convention_mistake
 from dhlab.diagnosis.slips import ALTERNATIVES, Explanation, Slip, unique
@@ -137,11 +139,68 @@ def _fitting(
     found: list[Explanation] = []
     for k in near.tolist():
         explanation, table = whole[k]
-        if _holds_displaced(table, came) and matches(chain_of(table), came):
+        wrong = chain_of(table)
+        if (
+            _holds_displaced(table, came)
+            and matches(wrong, came)
+            and (_stands_there(wrong, wanted, came) or _mends(wrong, wanted, came, matches))
+        ):
             found.append(explanation)
             if len(found) > ALTERNATIVES:
                 break
     return found
+
+
+def _stands_there(wrong: Chain, wanted: Chain, came: Chain) -> bool:
+    """Whether all that a slip has changed stands so in what came.
+
+    Other slips may move the tip alike, in other places: of them nothing is known to be made.
+    """
+    there, before, after = (_told(chain, came.convention) for chain in (came, wanted, wrong))
+    changed = ~_same(before, after)
+    return bool(_same(there, after)[changed].all())
+
+
+def _mends(wrong: Chain, wanted: Chain, came: Chain, matches: Matches) -> bool:
+    """Whether the numbers that a slip has changed, put right in what came, make it right.
+
+    It may choose other axes than our table does: then their signs are others too.
+    """
+    before, after, there = (_rows(chain, came.convention) for chain in (wanted, wrong, came))
+    cells = tuple(np.argwhere(~_same(before, after)).T)
+    if not 0 < len(cells[0]) <= 2 or _same(before, there).all():
+        return False
+    if not _same(np.abs(there[cells]), np.abs(after[cells])).all():
+        return False
+    for signs in product((1, -1), repeat=len(cells[0])):
+        mended = np.array(came.rows)
+        mended[cells] = signs * before[cells]
+        if matches(wanted, came.replace(rows=mended)):
+            return True
+    return False
+
+
+def _rows(chain: Chain, convention: str) -> Floats:
+    """Rows in one of the conventions, with the variables at 0."""
+    chain = chain.to_standard() if convention == "standard" else chain.to_modified()
+    rows = np.array(chain.rows).reshape(-1, 4)
+    for i, kind in enumerate(chain.kinds):
+        rows[i, 3 if kind == "r" else 2] = 0
+    return rows
+
+
+def _told(chain: Chain, convention: str) -> Floats:
+    """All numbers of a table but its variables; angles by cosine and sine."""
+    rows = _rows(chain, convention)
+    chain = chain.to_standard() if convention == "standard" else chain.to_modified()
+    angles = np.array([np.cos(rows[:, ::3]), np.sin(rows[:, ::3])])
+    ends = np.concatenate([chain.base.ravel(), chain.grasper.ravel()])
+    return np.concatenate([angles.ravel(), rows[:, 1:3].ravel(), chain.offset, ends])
+
+
+def _same(a: Floats, b: Floats) -> NDArray[np.bool_]:
+    out: NDArray[np.bool_] = np.abs(a - b) <= NEAR * (1 + np.abs(b))
+    return out
 
 
 def _holds_displaced(table: Table, came: Chain) -> bool:

@@ -9,6 +9,7 @@ from dhlab.diagnosis import TableTask
 from dhlab.diagnosis.chain_slips import table_slips
 from dhlab.diagnosis.table_model import chain_of, table_of
 from dhlab.kinematics.chain import Chain
+from dhlab.kinematics.transforms import rotx, roty, rotz, rp2t
 from dhlab.models.industrial import puma
 
 
@@ -178,3 +179,59 @@ def test_columns_are_not_called_exchanged_where_a_free_number_would_hide_it():
     flat = [(0, 0.4, 0, 0), (0, 0.3, 0, 0), (0, 0.2, 0, 0)]
     verdict = TableTask(upright, tool_free=True).judge([((), flat)])
     assert not [m.key for m in verdict.mistakes if m.key.startswith("columns")]
+
+
+ARM = Chain(
+    [(0, 0, 0.3, 0), (-pi / 2, 0, 0, 0), (0, 0.45, 0, 0)],
+    "rrr",
+    base=rp2t(rotz(1.2), (0.4, -0.3, 0.6)),
+    grasper=rp2t(roty(0.6), (0.5, 0, -0.1)),
+    offset=(0, -pi / 2, pi / 2),
+)
+
+
+@pytest.mark.parametrize(
+    ("changes", "key"),
+    [
+        ({"offset": (0, pi / 2, -pi / 2)}, "sign-offsets"),
+        ({"offset": (0, pi / 2, pi / 2)}, "sign-offset-2"),
+        ({"offset": (0, -90, 90)}, "degrees-offset"),
+        ({"offset": (0, 0, 0)}, "no-offset"),
+        ({"base": rp2t(np.eye(3), (0.4, -0.3, 0.6))}, "base-unturned"),
+        ({"base": rp2t(rotz(1.2), (0, 0, 0))}, "base-unmoved"),
+        ({"base": rp2t(rotz(1.2), (0.4, 0.3, 0.6))}, "base-sign-y"),
+        ({"grasper": (0.5, 0, -0.1)}, "tool-unturned"),
+        ({"grasper": rp2t(roty(0.6), (0.5, 0, 0.1))}, "tool-sign-z"),
+        ({"base": np.eye(4)}, "no-base"),
+    ],
+)
+def test_what_is_wrong_around_a_table_is_not_looked_for_in_its_rows(changes, key, keys):
+    """Its rows are right as they stand: none is called wrong, even if that would do the same."""
+    answer = {"rows": ARM.rows, "base": ARM.base, "grasper": ARM.grasper, "offset": ARM.offset}
+    verdict = TableTask(ARM, zero_free=False).judge([((), answer | changes)])
+    assert keys(verdict) == [{key}]
+
+
+def test_a_slip_is_named_only_where_it_stands_in_the_table(keys):
+    """Axes may point up or down: by the other choice, this is no slip of our table."""
+    up = Chain([(0, 0, 0.4, 0), (0, 0.3, 0, 0), (0, 0.25, 0, 0)], "rrr", grasper=(0.1, 0, -0.1))
+    task = TableTask(up)
+    down = [(0, 0, 0.4, 0), (pi, 0.3, 0, 0), (0, 0.25, 0, 0)]
+    right = {"rows": down, "grasper": rp2t(rotx(pi), (0.1, 0, 0.1))}
+    assert task.judge([((), right)]).right
+    verdict = task.judge([((), right | {"grasper": rp2t(rotx(pi), (0.1, 0, -0.1))})])
+    assert not verdict.right
+    assert keys(verdict) == []
+
+
+def test_a_slip_beside_another_choice_of_axes_may_be_in_each_number_that_mends_it(keys):
+    """The second axis is turned over; then d of its row goes the other way, and here does not."""
+    wrist = [(pi / 2, 0, 0, 0), (-pi / 2, 0, 0, 0)]
+    arm = Chain([(0, 0, 0, 0), (-pi / 2, 0.1, 0.4, 0), *wrist], "rrrr", grasper=(0, 0.2, 0.1))
+    rows = [(0, 0, 0, 0), (pi / 2, 0.1, -0.4, 0), (-pi / 2, 0, 0, 0), (pi / 2, 0, 0, 0)]
+    task = TableTask(arm, tool_free=True)
+    assert task.judge([((), rows)]).right
+    rows[1] = (pi / 2, 0.1, 0.4, 0)
+    verdict = task.judge([((), rows)])
+    assert keys(verdict) == [{"sign-alpha-2"}, {"sign-a-2"}, {"sign-d-2"}]
+    assert "either alpha in row 2" in verdict.text

@@ -77,7 +77,7 @@ def read_notebook(content: bytes) -> Notebook:
     kind = next((kind for start, kind in KINDS.items() if content.startswith(start)), None)
     if kind is not None:
         raise InputError(f"is {kind}, not a notebook")
-    text, notes = _decoded(content)
+    text, notes = decoded(content)
     document = _parsed(text)
     notes += _kernel_notes(document)
     cells = [_source(cell) for cell in _cells(document) if cell.get("cell_type") == "code"]
@@ -91,7 +91,14 @@ def read_notebook(content: bytes) -> Notebook:
     return Notebook(code, tuple(notes))
 
 
-def _decoded(content: bytes) -> tuple[str, list[str]]:
+def decoded(content: bytes) -> tuple[str, list[str]]:
+    r"""Read text by the mark that it begins with, or as UTF-8, or else as Latin-1, with a note.
+
+    Examples
+    --------
+    >>> decoded("Gödel".encode("utf-16"))[0], decoded(b"G\xf6del")
+    ('Gödel', ('Gödel', ['The file is not UTF-8; it was read as Latin-1.']))
+    """
     encoding = next((e for mark, e in ENCODINGS.items() if content.startswith(mark)), "utf-8")
     try:
         return content.decode(encoding), []

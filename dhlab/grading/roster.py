@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from dhlab.errors import InputError
+from dhlab.grading.reading import decoded
 from dhlab.grading.whose import Owner, is_same_person, name_key
 
 IDS = (
@@ -65,11 +66,7 @@ def read_people(path: Path) -> tuple[Person, ...]:
         content = path.read_bytes()
     except OSError as error:
         raise InputError(f"the list of students {str(path)!r} cannot be read ({error})") from error
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        text = content.decode("latin-1")
-    people = people_from(text, str(path))
+    people = people_from(decoded(content)[0], str(path))
     if not people:
         raise InputError(f"the list of students {str(path)!r} is empty")
     return people
@@ -90,9 +87,7 @@ def people_from(text: str, where: str = "the list of students") -> tuple[Person,
     dhlab.errors.InputError: the list of students: no column names the students; the heading must
     have one of student_id, id, username, name, student, first_name
     """
-    lines = text.splitlines()
-    delimiter = max(",;\t", key=(lines[0] if lines else "").count)
-    rows = [row for row in csv.reader(io.StringIO(text), delimiter=delimiter) if any(row)]
+    rows = _rows(text, where)
     heading = [name_key(cell).replace(" ", "_") for cell in rows[0]] if rows else []
     known = {*IDS, *NAMES, *FIRST, *LAST}
     if known & set(heading):
@@ -105,6 +100,16 @@ def people_from(text: str, where: str = "the list of students") -> tuple[Person,
             "student_id, id, username, name, student, first_name"
         )
     return _distinct([person for person in people if person is not None], where)
+
+
+def _rows(text: str, where: str) -> list[list[str]]:
+    """Split a list into its cells, by what its first line is split by."""
+    delimiter = max(",;\t", key=text.lstrip("\r\n").partition("\n")[0].count)
+    reader = csv.reader(io.StringIO(text, newline=None), delimiter=delimiter, strict=True)
+    try:
+        return [row for row in reader if any(row)]
+    except csv.Error as error:
+        raise InputError(f"{where}, line {reader.line_num}: {error}") from error
 
 
 def _person(row: Mapping[str, str]) -> Person | None:

@@ -21,11 +21,14 @@ from dhlab.grading.whose import Owner
         ("Student\tID\tSection\nAda Lovelace\t99\t1\n", "99", ("Ada Lovelace", "99")),
         ('Student,ID\n"Lovelace, Ada",99\n', "99", ("Lovelace, Ada", "99")),
         ("username,name\n,Ada\n", "Ada", ("Ada",)),
+        ("\n\nname;id\nAda;17\n", "17", ("Ada", "17")),
+        ("name\rAda\rKurt\r", "Ada", ("Ada",)),
+        ('Ada "Countess" Lovelace\nKurt\n', 'Ada "Countess" Lovelace', None),
     ],
 )
 def test_lists_of_many_kinds_are_read(text, student, names):
     person = people_from(text)[0]
-    assert (person.student, person.names) == (student, names)
+    assert (person.student, person.names) == (student, names or (student,))
 
 
 @pytest.mark.parametrize(
@@ -49,6 +52,8 @@ def test_a_student_of_the_list_is_known_by_any_name(owner, same):
     [
         (b"", "is empty"),
         (b"room,phone\n1,2\n", "no column names the students; .* one of student_id, id, username"),
+        (b'name\n"Ada\nBob\n', r"students.csv, line 3: unexpected end of data"),
+        (b"name\n" + b"x" * 200_000, r"students.csv, line 2: field larger than"),
         (b"Ada\nada\n", "names 'ada' twice; give each student an id of their own"),
     ],
 )
@@ -64,7 +69,7 @@ def test_a_list_that_is_not_there_is_one_sentence(tmp_path):
         read_people(tmp_path / "none.csv")
 
 
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "latin-1"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
 def test_a_list_comes_in_several_encodings(tmp_path, encoding):
     path = tmp_path / "students.csv"
     path.write_bytes("name\nKurt Gödel\n".encode(encoding))

@@ -14,6 +14,7 @@ from dhlab.diagnosis.slips import NOTHING, Slip
 from dhlab.diagnosis.values import TOLERANCE
 from dhlab.diagnosis.verdict import Case, Verdict, mistake
 from dhlab.kinematics.dh import Convention, as_convention
+from dhlab.kinematics.transforms import pose_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +48,7 @@ class LinkTask:
         names = [f"the factor of {name}" for name in order]
         slips = [*_arguments(standard)]
         slips += _in_other_places(product_slips(models[0].moves, None, False, names))
-        slips += [_other_convention(standard)]
+        slips += [_other_convention(standard), _plain_origin(standard)]
         return judge_matrices(cases, models, slips, 4, self.tolerance)
 
 
@@ -87,6 +88,22 @@ def _other_convention(standard: bool) -> Slip[Product]:
         "Which comes first in your convention: the link or the joint?",
     )
     return Slip(m, lambda p: replace(p, moves=(*p.moves[2:], *p.moves[:2])))
+
+
+def _plain_origin(standard: bool) -> Slip[Product]:
+    """Both slides along the axes of the frame before, as if nothing were turned."""
+    slide, axis, turn = ("a", "x", "theta") if standard else ("d", "z", "alpha")
+    m = mistake(
+        "origin-plain",
+        f"the slide {slide} is made along the {axis} axis that was there before the turn by {turn}",
+        f"Where does the {axis} axis point once the frame has turned by {turn}?",
+    )
+
+    def plain(p: Product) -> Product:
+        _, a, d, _ = _row(p, standard)
+        return p.then(lambda T: pose_of(T[:3, :3], np.array([a, 0, d])))
+
+    return Slip(m, plain)
 
 
 def _in_other_places(slips: Sequence[Slip[Product]]) -> list[Slip[Product]]:

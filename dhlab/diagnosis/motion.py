@@ -209,6 +209,16 @@ def _time(m: Motion) -> Iterator[Slip[Motion]]:
             mistake("time-not-shifted", "the time is not counted from the start", question),
             lambda m: replace(m, clock=0.0),
         )
+        yield Slip(
+            mistake(
+                "time-shifted-back", "the start is added to the time, not subtracted", question
+            ),
+            lambda m: replace(m, clock=-m.start),
+        )
+        yield Slip(
+            mistake("time-backwards", "the time is subtracted from the start", question),
+            lambda m: replace(m, speed=-m.speed),
+        )
     elif m.start:
         yield Slip(
             mistake("time-shifted", "the time is counted from the start", question),

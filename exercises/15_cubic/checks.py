@@ -6,6 +6,11 @@ from dhlab import csys, deg, dh, robot
 from dhlab.diagnosis import TrajectoryTask
 from dhlab.grading import Question
 
+MOTIONS = [
+    (np.linspace(1, 3.5, 5), 0.2, 1.4, 1.0, 3.5),
+    (np.array([0.9, 1.3, 2.0]), 1.1, -0.4, 0.7, 2.3),
+]
+
 
 def numbers(rng):
     """Where the arm begins and ends [degrees], and when [s]."""
@@ -45,7 +50,7 @@ def questions(given):
             "position",
             TrajectoryTask(**timed, answer="q"),
             points=3,
-            examples=[(np.linspace(1, 3, 5), 0.2, 1.4, 1.0, 3.0)],
+            examples=MOTIONS,
             inputs=motions,
             hint="Your coefficients count the time from 0: from when on does this motion?",
         ),
@@ -53,7 +58,7 @@ def questions(given):
             "velocity",
             TrajectoryTask(**timed, answer="v"),
             points=2,
-            examples=[(np.linspace(1, 3, 5), 0.2, 1.4, 1.0, 3.0)],
+            examples=MOTIONS,
             inputs=motions,
             hint="Differentiate the polynomial: what becomes of c3 times t cubed?",
         ),
@@ -66,10 +71,11 @@ def ways(rng):
 
 
 def motions(rng):
-    """Further motions: from 0 on, from before 0, and any."""
+    """Further motions: from 0 on, from before 0, some instants on the way, and any."""
     found = [
         (np.linspace(0, 2, 4), 0.0, 1.0, 0.0, 2.0),
         (np.linspace(-1, 0.5, 4), 1.0, -1.0, -1.0, 0.5),
+        (np.array([2.1, 2.6, 2.9]), -0.3, 0.9, 1.7, 3.1),
     ]
     for q0, qt, start, length in rng.uniform(0.4, 2.5, (3, 4)).tolist():
         found.append((np.linspace(start, start + length, 6), q0, -qt, start, start + length))

@@ -41,6 +41,18 @@ def position(t, q0, qt, start, end):
 def position(t, q0, qt, start, end):
     return np.polyval(cubic(q0, qt, end), t - start)
 
+# %% position: time-shifted-back
+def position(t, q0, qt, start, end):
+    return np.polyval(cubic(q0, qt, end - start), t + start)
+
+# %% position: time-backwards
+def position(t, q0, qt, start, end):
+    return np.polyval(cubic(q0, qt, end - start), start - t)
+
+# %% position: instant
+def position(t, q0, qt, start, end):
+    return np.polyval(cubic(q0, qt, t[-1] - t[0]), t - t[0])
+
 # %% position: line
 def position(t, q0, qt, start, end):
     return q0 + (qt - q0) * (t - start) / (end - start)

@@ -48,3 +48,14 @@ def test_a_link_written_in_the_other_convention_or_transposed_is_named(conventio
     assert keys(task.judge(turned)) == [{"transposed"}]
     permuted = [(tuple(r), link_transform(r[[1, 0, 2, 3]], convention)) for r in rows]
     assert keys(task.judge(permuted)) == [{"columns-1023"}]
+
+
+@pytest.mark.parametrize("convention", ["modified", "standard"])
+def test_an_origin_at_a_0_d_is_a_slide_along_an_axis_that_was_not_turned(convention, keys):
+    rows = np.random.default_rng(3).uniform(0.2, 1, (3, 4))
+    came = []
+    for row in rows:
+        T = link_transform(row, convention)
+        T[:3, 3] = row[1], 0, row[2]
+        came.append((tuple(row), T))
+    assert keys(LinkTask(convention).judge(came)) == [{"origin-plain"}]

@@ -30,6 +30,10 @@ what is written to RESULTS:
   gradescope/STUDENT.json  the same for Gradescope
   results.json             everything, with the seed of the hidden cases\
 """
+BY_NOTEBOOK = (
+    "with the numbers of the name in the notebook, not that of the submission: a list with both, "
+    "--students, joins them"
+)
 MOST_TOLD = 10
 
 
@@ -102,6 +106,7 @@ def summary(results: "ClassResults", out: Path) -> Iterator[str]:
     """
     from dhlab.grading.figures import answers, mean_and_median, misconceptions
     from dhlab.grading.grades import number
+    from dhlab.grading.named import doubles
     from dhlab.grading.plain import one_line
     from dhlab.grading.results import STATUSES
 
@@ -117,7 +122,13 @@ def summary(results: "ClassResults", out: Path) -> Iterator[str]:
         yield f"  {found.name}: {found.right} of {asked} right"
     for one in misconceptions(results)[:MOST_TOLD]:
         yield f"  {len(one.students)} x {one.question}: {one_line(one.text)}"
-    odd = [row for row in results.rows if row.status in ("unreadable", "missing")]
+    for group in doubles(results.rows):
+        who = ", ".join(one_line(row.student, 60) for row in group[:MOST_TOLD])
+        yield f"  {len(group)} submissions name {one_line(group[0].typed, 60)!r}: {who}"
+    by_notebook = sum(bool(row.whose) for row in results.rows)
+    if by_notebook:
+        yield f"  {by_notebook} {BY_NOTEBOOK}"
+    odd = [row for row in results.rows if row.status in ("second look", "unreadable", "missing")]
     for row in odd[:MOST_TOLD]:
         yield f"  {row.status}: {one_line(row.student)}: {one_line(f'{row.reason} {row.failed}')}"
     if len(odd) > MOST_TOLD:

@@ -7,6 +7,7 @@ An exercise is a folder with `exercise.py` (the whole notebook as text, with its
 - `question`, `exercise`: what is asked; `judge`: from what came to points and a sentence
 - `check`, `tried`, `said`: the check cell
 - `source`, `build`, `trial`: from the text to the notebook, and its proof
+- `named`: whose numbers a notebook is marked with
 - `mark`: one submission; `runner`: its cells run and asked for values, which nothing trusts
 - `sandbox`, `mounts`, `syscalls`, `tools`: where they run, and what is there
 - `heard`, `watched`, `processes`: what is listened to, and the clocks

@@ -5,24 +5,21 @@ be other processes or other machines. What a submission does to its worker, up t
 nobody else their result.
 """
 
-import re
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from typing import TypeAlias
 
 from dhlab.errors import InputError
 from dhlab.grading.exercise import Exercise
 from dhlab.grading.mark import Marked, mark_cells
+from dhlab.grading.named import Named, named, other_exercise, told_of_other
 from dhlab.grading.plain import one_line
 from dhlab.grading.results import Row, row_of
 from dhlab.grading.sandbox import Sandbox, SandboxError
 from dhlab.grading.submissions import Submission
-from dhlab.grading.whose import is_same_person
-
-TYPED = re.compile(r"""^STUDENT\s*=\s*(?P<quote>["'])(?P<name>.*?)(?P=quote)""", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -46,17 +43,36 @@ Mark: TypeAlias = Callable[[str, tuple[str, ...]], Marked]
 
 @dataclass(frozen=True)
 class Job:
-    """A submission that was read and is to be marked."""
+    """A submission that was read and is to be marked.
+
+    Attributes
+    ----------
+    submission : Submission
+    named : Named
+        Whose numbers it is marked with.
+    cells : tuple of str
+    sha256 : str
+    odd : tuple of str
+    exercise, other : str
+        Which exercise it is marked for, and that which its checks belong to, if it is another one.
+    """
 
     submission: Submission
-    name: str
+    named: Named
     cells: tuple[str, ...]
     sha256: str
     odd: tuple[str, ...]
+    exercise: str = ""
+    other: str = ""
+
+    def told(self, row: Row) -> Row:
+        """Return the row of this job with what is known of the notebook beside its marks."""
+        where, whose = self.submission.where, self.named
+        return replace(row, where=where, odd=self.odd, typed=whose.typed, whose=whose.whose)
 
 
-def prepared(submission: Submission, out_of: float) -> Job | Row:
-    """Read a submission; one that cannot be read has its row already."""
+def prepared(submission: Submission, exercise: Exercise, out_of: float) -> Job | Row:
+    """Read a submission to an exercise; one that cannot be read has its row already."""
     plain = (submission.student, submission.names[0])
     if submission.status:
         return Row(*plain, submission.status, submission.reason, 0, out_of, odd=submission.notes)
@@ -66,19 +82,11 @@ def prepared(submission: Submission, out_of: float) -> Job | Row:
         where, odd = submission.where, submission.notes
         return Row(*plain, "unreadable", str(error), 0, out_of, odd=odd, where=where)
     odd = (*submission.notes, *notebook.notes)
-    return Job(submission, name_of(submission, notebook.cells), notebook.cells, sha256, odd)
-
-
-def name_of(submission: Submission, cells: Iterable[str]) -> str:
-    """Return the name that a student's own numbers come from.
-
-    It is the one that the submission has; where a list or a platform writes it in another way than
-    the student ("lovelaceada" for "Ada Lovelace"), the student's.
-    """
-    typed = [found["name"] for cell in cells for found in TYPED.finditer(cell)]
-    if typed and is_same_person(typed[-1], submission.names):
-        return typed[-1]
-    return submission.names[0]
+    whose = Named(submission.names[0])
+    if exercise.is_personal:
+        whose = named(submission, notebook.cells)
+    other = other_exercise(notebook.cells, exercise.name)
+    return Job(submission, whose, notebook.cells, sha256, odd, exercise.name, other)
 
 
 def mark_class(
@@ -125,7 +133,7 @@ class _Sender:
 
     def __call__(self, job: Job) -> Future[Marked]:
         try:
-            return self.executor.submit(self.mark, job.name, job.cells)
+            return self.executor.submit(self.mark, job.named.name, job.cells)
         except BrokenExecutor as error:
             future: Future[Marked] = Future()
             future.set_exception(error)
@@ -176,20 +184,20 @@ def _outcome(future: Future[Marked], job: Job) -> Row | None:
         raise  # then nobody can be marked
     except Exception as error:
         return _failed(job, f"{type(error).__name__}: {error}")
-    return row_of(marked, job.submission.student, job.submission.where, job.sha256, job.odd)
+    row = row_of(marked, job.submission.student, job.sha256)
+    return job.told(told_of_other(row, job.other, job.exercise) if job.other else row)
 
 
 def _failed(job: Job, why: str) -> Row:
     """Row of a submission that was read, and whose marking failed."""
-    return Row(
+    row = Row(
         student=job.submission.student,
-        name=job.name,
+        name=job.named.name,
         status="unreadable",
         reason="It could not be marked, which is no fault of the student's; mark it by hand.",
         points=0,
         out_of=0,
-        odd=job.odd,
-        where=job.submission.where,
         sha256=job.sha256,
         failed=one_line(why, 300),
     )
+    return job.told(row)

@@ -2,6 +2,7 @@
 
 import base64
 import json
+import re
 import zlib
 from collections.abc import Callable
 from dataclasses import replace
@@ -20,6 +21,8 @@ from dhlab.scene.handle import Handle
 
 NO_NUMBERS = "Run the cell with `given = check.numbers(STUDENT)` first: it makes your own numbers."
 NOBODY = "STUDENT is still empty: write your name there, so that the numbers are yours."
+FIRST = 400
+"""Characters of packed checks, a multiple of 4, among which the name of the exercise is."""
 MORE = "When it is marked, further cases are tried."
 
 
@@ -221,6 +224,28 @@ def packed(exercise: Exercise) -> str:
     """Put an exercise into text that a notebook can hold."""
     content = json.dumps([exercise.name, exercise.text], ensure_ascii=False)
     return base64.b64encode(zlib.compress(content.encode("utf-8"), 9)).decode("ascii")
+
+
+def name_in(text: str) -> str:
+    """Return the name of the exercise in what `packed` gives; no more of it is unpacked.
+
+    Parameters
+    ----------
+    text : str
+        Whatever it is; where it holds no name, the name is empty.
+
+    Examples
+    --------
+    >>> name_in(packed(exercise_from_text("questions = list", "turns"))), name_in("eNq")
+    ('turns', '')
+    """
+    try:
+        packed = base64.b64decode(text[:FIRST], validate=True)
+        content = zlib.decompressobj().decompress(packed, FIRST).decode("utf-8", "replace")
+    except (ValueError, zlib.error):
+        return ""
+    found = re.match(r"""\["([\w .+-]{1,80})", """, content)
+    return found[1] if found else ""
 
 
 def opened(text: str) -> tuple[str, str]:

@@ -25,6 +25,10 @@ from dhlab.grading.results import STATUSES, ClassResults, Row
 POLICY = "default-src 'none'; style-src 'unsafe-inline'"
 OPEN = 8
 """A list of names up to this long is shown; a longer one opens by a click."""
+BY_ID = (
+    "{} known by an id have the numbers of the name in their notebook; the notes in grades.csv say "
+    "which. A list of students with names and ids proves whose they are."
+)
 KINDS = (
     ("right", "right"),
     ("wrong", "wrong"),
@@ -189,8 +193,9 @@ def _names(students: Sequence[str]) -> Html:
 
 
 def _attention(rows: Sequence[Row]) -> Html | None:
-    found = [row for row in rows if row.status != "graded" or row.all_notes]
-    if not found:
+    found = [row for row in rows if _is_odd(row)]
+    by_id = sum(bool(row.whose) for row in rows if row not in found)
+    if not found and not by_id:
         return None
     order: dict[str, int] = {status: k for k, status in enumerate(reversed(STATUSES))}
     found.sort(key=lambda row: order.get(row.status, 0))
@@ -205,7 +210,14 @@ def _attention(rows: Sequence[Row]) -> Html | None:
     ]
     heads = [tag("th", text, scope="col") for text in ("student", "status", "what was seen")]
     table = tag("table", tag("thead", tag("tr", heads)), tag("tbody", lines), class_="look")
-    return _section("For a second look", table, wide=True)
+    note = BY_ID.format(by_id) if by_id else ""
+    return _section("For a second look", table if found else None, note=note, wide=True)
+
+
+def _is_odd(row: Row) -> bool:
+    """Whether a row must be looked at; an id beside the name in the notebook is nothing odd."""
+    is_other_name = bool(row.whose) and " " in row.student
+    return row.status != "graded" or bool(row.odd or row.notes) or is_other_name
 
 
 def _status(row: Row) -> Html:

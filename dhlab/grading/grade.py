@@ -23,6 +23,7 @@ from dhlab.grading.executors import Workers, dask_workers, local_workers
 from dhlab.grading.exercise import CHECKS, Exercise, load_exercise
 from dhlab.grading.grades import add_grade, write_grades
 from dhlab.grading.journal import Journal, earlier_rows
+from dhlab.grading.named import told_of_doubles
 from dhlab.grading.reports import GRADES, write_reports
 from dhlab.grading.results import ClassResults, Column, Row, Run
 from dhlab.grading.roster import read_people
@@ -131,22 +132,22 @@ class _Plan:
     def rows(self, mark: Marker, workers: Workers) -> Iterator[tuple[Row, bool]]:
         """Mark what is not known; give each row, and whether it was known."""
         ready: deque[tuple[Row, bool]] = deque()
-        jobs = self._jobs(ready)
+        jobs = self._jobs(mark.exercise, ready)
         for row in mark_class(jobs, mark, workers.executors, workers.window):
             while ready:
                 yield ready.popleft()
             yield row, False
         yield from ready
 
-    def _jobs(self, ready: deque[tuple[Row, bool]]) -> Iterator[Job]:
+    def _jobs(self, exercise: Exercise, ready: deque[tuple[Row, bool]]) -> Iterator[Job]:
         for submission in self.submissions:
-            job = prepared(submission, self.empty.out_of)
+            job = prepared(submission, exercise, self.empty.out_of)
             if isinstance(job, Row):
                 ready.append((job, False))
                 continue
             known = self.kept.get(submission.student)
-            if known is not None and (known.sha256, known.name) == (job.sha256, job.name):
-                ready.append((replace(known, where=submission.where, odd=job.odd), True))
+            if known is not None and (known.sha256, known.name) == (job.sha256, job.named.name):
+                ready.append((job.told(known), True))
             else:
                 yield job
 
@@ -169,7 +170,7 @@ def _marked(
     place = {s.student: k for k, s in enumerate(plan.submissions)}
     rows.sort(key=lambda row: place[row.student])
     finished = datetime.now(UTC).isoformat(timespec="seconds")
-    return replace(plan.empty, rows=tuple(rows), finished=finished)
+    return replace(plan.empty, rows=tuple(told_of_doubles(rows)), finished=finished)
 
 
 def _run(order: Order, exercise: Exercise, before: Run | None) -> Run:

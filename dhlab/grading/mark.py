@@ -15,7 +15,7 @@ from dhlab.grading.question import Question
 from dhlab.grading.runner import Run, run_cells
 from dhlab.grading.sandbox import Limits, Sandbox
 
-Status: TypeAlias = Literal["graded", "partly graded", "unreadable", "missing"]
+Status: TypeAlias = Literal["graded", "second look", "partly graded", "unreadable", "missing"]
 
 IMPORTS = re.compile(
     r"(?:^|;)[ \t]*(?:from[ \t]+([\w.]+)[ \t]+import[ \t]*(?:\(([^)]{0,2000})\)|([\w \t.,*]+))"
@@ -35,10 +35,12 @@ class Marked:
         Who is marked, whoever the notebook names.
     questions : tuple of Judged
     points, out_of : float
-    status : {'graded', 'partly graded', 'unreadable', 'missing'}
-        'partly graded' if cells had to be left out; the last two where there was nothing to run.
+    status : {'graded', 'second look', 'partly graded', 'unreadable', 'missing'}
+        'second look' if the notebook names another student than the one whose numbers it was
+        compared with; 'partly graded' if cells had to be left out; the last two where there was
+        nothing to run.
     reason : str
-        A sentence where the status is not 'graded', or where the notebook names somebody else.
+        A sentence where the status is not 'graded'.
     notes : tuple of str
         What was seen when the cells ran; it costs no points.
     left_out : tuple of int
@@ -111,13 +113,15 @@ def mark_cells(
         judge(question, list(zip(ask.cases, run.replies[ask.name], strict=True)))
         for question, ask in zip(questions, asks, strict=True)
     )
+    left_out = [f"cell {cell} was left out: {why}." for cell, why in run.left_out.items()]
+    clash = _clash(run, exercise, student)
     return Marked(
         student=student,
         questions=judged,
         points=sum(j.points for j in judged),
         out_of=sum(j.out_of for j in judged),
-        status="partly graded" if run.left_out else "graded",
-        reason=" ".join(_reasons(run, exercise, student)),
+        status="second look" if clash else "partly graded" if left_out else "graded",
+        reason=" ".join([*left_out, *clash]),
         notes=run.notes,
         left_out=tuple(run.left_out),
         seconds=run.seconds,
@@ -151,13 +155,10 @@ def _ask(exercise: Exercise, question: Question, seed: int) -> Ask:
     return Ask(question.name, question.kind, cases, question.library)
 
 
-def _reasons(run: Run, exercise: Exercise, student: str) -> list[str]:
-    reasons = [f"cell {cell} was left out: {why}." for cell, why in run.left_out.items()]
+def _clash(run: Run, exercise: Exercise, student: str) -> list[str]:
+    """Say so where the notebook has the numbers of somebody else."""
     named = run.student
-    if exercise.is_personal and named is not None and seed_of("", named) != seed_of("", student):
-        who = f"'{named}'" if named.strip() else "nobody"
-        reasons.append(
-            f"the notebook names {who}, the submission is that of '{student}', and so were the "
-            "numbers."
-        )
-    return reasons
+    if not exercise.is_personal or named is None or seed_of("", named) == seed_of("", student):
+        return []
+    who = f"'{named}'" if named.strip() else "nobody"
+    return [f"the notebook names {who}; its answers were compared with those for '{student}'."]

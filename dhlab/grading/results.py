@@ -5,17 +5,16 @@
 
 import json
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
-from typing import Any, Literal, TypeAlias
+from typing import Any, get_args
 
 from dhlab.errors import DhlabError
 from dhlab.grading.judge import Judged
-from dhlab.grading.mark import Marked
+from dhlab.grading.mark import Marked, Status
 
-Status: TypeAlias = Literal["graded", "partly graded", "unreadable", "missing"]
-STATUSES: tuple[Status, ...] = ("graded", "partly graded", "unreadable", "missing")
+STATUSES: tuple[Status, ...] = get_args(Status)
 FORMAT = 1
 RESULTS = "results.json"
 
@@ -54,7 +53,7 @@ class Row:
     student : str
     name : str
         The name that their own numbers come from.
-    status : {'graded', 'partly graded', 'unreadable', 'missing'}
+    status : {'graded', 'second look', 'partly graded', 'unreadable', 'missing'}
     reason : str
         For all but 'graded': a sentence.
     points, out_of : float
@@ -72,6 +71,10 @@ class Row:
         Of the notebook.
     failed : str
         Where marking itself failed: why, for the instructor. The next run marks it anew.
+    typed : str
+        The name in the notebook, where students have numbers of their own.
+    whose : str
+        A sentence, where this name gave the numbers and the submission is known by another one.
     """
 
     student: str
@@ -87,11 +90,13 @@ class Row:
     where: str = ""
     sha256: str = ""
     failed: str = ""
+    typed: str = ""
+    whose: str = ""
 
     @property
     def all_notes(self) -> tuple[str, ...]:
-        """What is odd about the file, and what marking noticed."""
-        return (*self.odd, *self.notes)
+        """What is odd about the file, whose numbers it has, and what marking noticed."""
+        return (*self.odd, *([self.whose] if self.whose else ()), *self.notes)
 
     def as_json(self) -> dict[str, Any]:
         """Return it as plain data."""
@@ -136,7 +141,7 @@ class ClassResults:
         return [points.get(column.name, 0) for column in self.columns]
 
 
-def row_of(marked: Marked, student: str, where: str, sha256: str, odd: Iterable[str] = ()) -> Row:
+def row_of(marked: Marked, student: str, sha256: str) -> Row:
     """Make a row from what marking one submission gave."""
     own = {field.name for field in fields(Row)}
     rest = {f.name: getattr(marked, f.name) for f in fields(marked) if f.name not in own}
@@ -149,9 +154,7 @@ def row_of(marked: Marked, student: str, where: str, sha256: str, odd: Iterable[
         out_of=marked.out_of,
         questions=tuple(marked.questions),
         notes=tuple(marked.notes),
-        odd=tuple(odd),
         details={key: _plain(value) for key, value in rest.items() if key != "questions"},
-        where=where,
         sha256=sha256,
     )
 

@@ -28,10 +28,13 @@ class Person:
         How the results name them: by the id, where the list has one.
     names : tuple of str
         All names and ids; the first is the full name, where the list has it.
+    has_full_name : bool
+        Whether it has one; a list of one word a line is taken for ids.
     """
 
     student: str
     names: tuple[str, ...]
+    has_full_name: bool = True
 
     def has_number(self, owner: Owner) -> bool:
         """Whether a platform's own number of a student stands in the list."""
@@ -78,7 +81,7 @@ def people_from(text: str, where: str = "the list of students") -> tuple[Person,
     Examples
     --------
     >>> people_from("id,first_name,last_name\nal1,Ada,Lovelace\n")
-    (Person(student='al1', names=('Ada Lovelace', 'al1')),)
+    (Person(student='al1', names=('Ada Lovelace', 'al1'), has_full_name=True),)
     >>> people_from("Ada Lovelace\nKurt Gödel\n")[1].student
     'Kurt Gödel'
     >>> people_from("room,phone\n1,2\n")
@@ -93,7 +96,8 @@ def people_from(text: str, where: str = "the list of students") -> tuple[Person,
     if known & set(heading):
         people = [_person(dict(zip(heading, row, strict=False))) for row in rows[1:]]
     elif all(len(row) == 1 for row in rows):
-        people = [Person(name, (name,)) for row in rows if (name := " ".join(row[0].split()))]
+        lines = [" ".join(row[0].split()) for row in rows]
+        people = [Person(name, (name,), " " in name) for name in lines if name]
     else:
         raise InputError(
             f"{where}: no column names the students; the heading must have one of "
@@ -117,7 +121,7 @@ def _person(row: Mapping[str, str]) -> Person | None:
     parts = [*_there(row, FIRST)[:1], *_there(row, LAST)[:1]]
     full = [" ".join(parts)] if parts else _there(row, NAMES)
     names = tuple(dict.fromkeys([*full, *ids, *_there(row, NAMES)]))
-    return Person((ids or full)[0], names) if names else None
+    return Person((ids or full)[0], names, bool(full)) if names else None
 
 
 def _there(row: Mapping[str, str], columns: Iterable[str]) -> list[str]:

@@ -40,6 +40,8 @@ class Submission:
         For a status: a sentence.
     notes : tuple of str
         What is odd, in sentences for the instructor.
+    is_listed : bool
+        Whether the first name is a full name of the list of students.
     """
 
     student: str
@@ -48,6 +50,7 @@ class Submission:
     status: str = ""
     reason: str = ""
     notes: tuple[str, ...] = ()
+    is_listed: bool = False
     entry: Entry | None = field(default=None, repr=False)
 
     def read(self) -> tuple[str, Notebook]:
@@ -118,6 +121,7 @@ class _Group:
     names: tuple[str, ...]
     paths: Sequence[_Path]
     notes: tuple[str, ...] = ()
+    is_listed: bool = False
 
 
 def _below_submitted(entries: Sequence[Entry]) -> list[Entry]:
@@ -166,7 +170,8 @@ def _groups(owned: Mapping[Owner, list[_Path]], people: Sequence[Person]) -> Ite
         else:
             strangers[owner] = paths
     for person in people:
-        yield _Group(person.student, person.names, theirs[person.student])
+        group = _Group(person.student, person.names, theirs[person.student])
+        yield replace(group, is_listed=person.has_full_name)
     taken = {name_key(person.student) for person in people}
     often = Counter(name_key(owner.name) for owner in strangers)
     for owner, paths in strangers.items():
@@ -197,7 +202,7 @@ def _meant(
 
 def _submission(group: _Group, meant: Sequence[Entry]) -> Submission:
     """Say which notebook of a student is read, or why none is."""
-    plain = Submission(group.student, group.names, notes=group.notes)
+    plain = Submission(group.student, group.names, notes=group.notes, is_listed=group.is_listed)
     if len(meant) == 1:
         return replace(plain, where=meant[0].path, entry=meant[0])
     if not meant:

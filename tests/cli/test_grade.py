@@ -11,7 +11,7 @@ import pytest
 from dhlab import cli
 from dhlab.cli.grade import summary
 from tests.grading.classroom import NAME, answered, write_exercise
-from tests.grading.made import CLASS, HOSTILE, LOST, results
+from tests.grading.made import CLASS, HOSTILE, LOST, results, right, row
 
 posix = pytest.mark.skipif(os.name != "posix", reason="answers are marked on Linux or macOS")
 
@@ -122,6 +122,19 @@ def test_the_summary_names_figures_mistakes_and_who_has_no_marks(tmp_path):
     ]
     assert "  2 x dh_link: either a is left out, or d is" in lines
     assert "  missing: Lost: No notebook was handed in." in lines
+
+
+def test_the_summary_counts_whose_numbers_are_not_sure(tmp_path):
+    rows = [
+        row("al", right("T", 1), typed="Ada\x1b", whose="Those of Ada."),
+        row("cb", right("T", 1), typed="Ada\x1b", whose="Those of Ada."),
+        row("eve", right("T", 1), typed="Bob", status="second look", reason="Not hers."),
+    ]
+    lines = list(summary(results(*rows), tmp_path))
+    assert lines[0] == "07_dh_link: 3 students, 2 graded, 1 second look"
+    assert "  2 submissions name 'Ada\ufffd': al, cb" in lines
+    assert "  second look: eve: Not hers." in lines
+    assert any(line.startswith("  2 with the numbers of the name in the") for line in lines)
 
 
 def test_a_long_summary_is_cut(tmp_path):

@@ -9,15 +9,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhlab.grading.batch import Job, Marker, mark_class, name_of, prepared
+from dhlab.grading.batch import Job, Marker, mark_class, prepared
 from dhlab.grading.entries import Entry
 from dhlab.grading.executors import local_workers
 from dhlab.grading.exercise import exercise_from_text
 from dhlab.grading.mark import Marked
+from dhlab.grading.named import Named
 from dhlab.grading.results import Row
 from dhlab.grading.submissions import Submission
 from tests.grading.classroom import CHECKS, notebook
 
+TURNS = exercise_from_text(CHECKS, "01_turns")
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="answers are marked on Linux or macOS")
 
 
@@ -29,7 +31,7 @@ def submission(student, content=b"{}", **options):
 
 def job(student):
     """A submission that was read."""
-    return Job(submission(student), student, (f"who = {student!r}",), "ff", ("Odd.",))
+    return Job(submission(student), Named(student), (f"who = {student!r}",), "ff", ("Odd.",))
 
 
 def marked(name, points=1.0):
@@ -176,7 +178,7 @@ def test_in_processes_who_ends_the_worker_fails_alone():
 
 def test_what_was_not_handed_in_has_its_row():
     missing = Submission("x", ("x",), status="missing", reason="No notebook.", notes=("Odd.",))
-    row = prepared(missing, 3)
+    row = prepared(missing, TURNS, 3)
     assert isinstance(row, Row)
     assert (row.status, row.reason, row.out_of, row.odd) == (
         "missing",
@@ -187,30 +189,15 @@ def test_what_was_not_handed_in_has_its_row():
 
 
 def test_what_cannot_be_read_has_its_row():
-    row = prepared(submission("ada", b""), 3)
+    row = prepared(submission("ada", b""), TURNS, 3)
     assert (row.status, row.reason) == ("unreadable", "'ada.ipynb' is empty.")
     assert (row.where, row.points) == ("ada.ipynb", 0)
 
 
 def test_what_can_be_read_is_a_job():
     content = notebook("a = 1").encode()
-    read = prepared(submission("ada", content, notes=("Odd.",)), 3)
-    assert (read.cells, read.name, read.odd) == (("a = 1",), "ada", ("Odd.",))
-
-
-@pytest.mark.parametrize(
-    ("names", "cells", "name"),
-    [
-        (("lovelaceada",), ['STUDENT = "Ada Lovelace"'], "Ada Lovelace"),
-        (("Ada Lovelace", "a1"), ["STUDENT = 'a1'"], "a1"),
-        (("Ada Lovelace", "a1"), ['STUDENT = "Bob"'], "Ada Lovelace"),
-        (("Ada Lovelace",), ['STUDENT = ""', "x = 1"], "Ada Lovelace"),
-        (("ada",), ["x = 1"], "ada"),
-        (("ada",), ['STUDENT = "Bob"\nSTUDENT = "ADA"  # me'], "ADA"),
-    ],
-)
-def test_numbers_come_from_the_name_as_the_student_wrote_it(names, cells, name):
-    assert name_of(Submission(names[-1], names), cells) == name
+    read = prepared(submission("ada", content, notes=("Odd.",)), TURNS, 3)
+    assert (read.cells, read.named, read.odd) == (("a = 1",), Named("ada"), ("Odd.",))
 
 
 def test_the_marker_can_be_sent_elsewhere():

@@ -7,7 +7,7 @@ import pytest
 
 from dhlab.grading.classpage import OPEN, class_page
 from dhlab.grading.markup import Html, tag
-from tests.grading.made import ADA, CLASS, HOSTILE, LOST, results, row, wrong
+from tests.grading.made import ADA, CLASS, HOSTILE, LOST, results, right, row, wrong
 
 VOID = {"meta"}
 
@@ -79,6 +79,16 @@ def test_every_picture_has_its_words():
 @pytest.mark.parametrize("rows", [(), (LOST,), (ADA,)])
 def test_a_class_of_any_size_has_a_page(rows):
     assert "None was diagnosed." in read(class_page(results(*rows))).texts
+
+
+def test_an_id_beside_the_name_in_a_notebook_is_counted_and_another_name_is_looked_at():
+    known = [row(s, right("T", 1), typed="Ada", whose="Those of Ada.") for s in ("al1", "Bob M")]
+    texts = read(class_page(results(*known))).texts
+    assert any(text.startswith("1 known by an id have the numbers of the name") for text in texts)
+    assert texts.count("Those of Ada.") == 1
+    alone = " ".join(read(class_page(results(known[0]))).texts)
+    assert "1 known by an id" in alone
+    assert "what was seen" not in alone
 
 
 def test_a_long_list_of_names_opens_by_a_click():

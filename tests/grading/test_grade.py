@@ -15,11 +15,22 @@ import psutil
 import pytest
 
 from dhlab.errors import DhlabError
+from dhlab.grading.check import packed
+from dhlab.grading.exercise import exercise_from_text
 from dhlab.grading.grade import Order, grade
 from dhlab.grading.journal import UNFINISHED
 from dhlab.grading.sandbox import SandboxError
 from tests.broken_files import TRICKS, UNREADABLE, write_tricks
-from tests.grading.classroom import CHECKS, NAME, NAMES, answered, write_class, write_exercise
+from tests.grading.classroom import (
+    CHECKS,
+    NAME,
+    NAMES,
+    SETUP,
+    answered,
+    notebook,
+    write_class,
+    write_exercise,
+)
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="answers are marked on Linux or macOS")
 ROOT = Path(__file__).parents[2]
@@ -198,6 +209,93 @@ def test_who_is_on_the_list_and_handed_in_nothing_has_a_row(few):
     marked_again(few)
     assert rows["eve"]["score"] == "2"
     assert grades(few)["eve"]["notes"] == ""
+
+
+@pytest.fixture
+def known_by_ids(tmp_path):
+    """A class of four in nbgrader's layout, whose notebooks have names; one is a neighbour's.
+
+    The answers are typed in numbers, as the student of that name has them.
+    """
+    exercise = exercise_from_text(CHECKS, NAME)
+    write_exercise(tmp_path)
+    names = {"al1": "Ada Lovelace", "cb2": "Ada Lovelace", "gh3": "Grace Hopper", "nn4": ""}
+    for student, name in names.items():
+        (tmp_path / "class" / student / NAME).mkdir(parents=True)
+        path = tmp_path / "class" / student / NAME / f"{NAME}.ipynb"
+        angle = exercise.numbers(name, "robots")["angle"]
+        path.write_text(answered(name).replace("given['angle']", str(angle)))
+    return tmp_path
+
+
+def looked_at(rows):
+    """Student -> score and status."""
+    return {student: (row["score"], row["status"]) for student, row in rows.items()}
+
+
+def test_a_right_answer_has_its_point_however_the_submission_is_named(known_by_ids):
+    grade(order(known_by_ids))
+    rows = grades(known_by_ids)
+    assert looked_at(rows) == {
+        "al1": ("3", "graded"),
+        "cb2": ("3", "graded"),
+        "gh3": ("3", "graded"),
+        "nn4": ("2", "second look"),
+    }
+    whose = "The numbers are those of '{}', whom the notebook names; the submission is that of "
+    assert rows["gh3"]["notes"] == whose.format("Grace Hopper") + "'gh3'."
+    twice = "2 submissions name 'Ada Lovelace'. "
+    assert all(rows[s]["notes"].startswith(twice) for s in ("al1", "cb2"))
+    grade(order(known_by_ids))
+    assert grades(known_by_ids) == rows
+
+
+def test_a_list_that_says_otherwise_goes_before_the_notebook(known_by_ids):
+    people = known_by_ids / "list.csv"
+    people.write_text("id,name\nal1,Ada Lovelace\ncb2,Charles Babbage\ngh3,Hopper Grace\n")
+    grade(order(known_by_ids, people=people))
+    rows = grades(known_by_ids)
+    assert looked_at(rows) == {
+        "al1": ("3", "graded"),
+        "cb2": ("2", "second look"),
+        "gh3": ("3", "graded"),
+        "nn4": ("2", "second look"),
+    }
+    assert rows["cb2"]["reason"] == (
+        "the notebook names 'Ada Lovelace'; its answers were compared with those for "
+        "'Charles Babbage'."
+    )
+    assert all("2 submissions name" in rows[s]["notes"] for s in ("al1", "cb2"))
+    assert rows["gh3"]["notes"] == ""
+
+
+def test_a_list_of_ids_says_nothing_of_names(known_by_ids):
+    (known_by_ids / "list.csv").write_text("al1\ncb2\ngh3\nnn4\n")
+    grade(order(known_by_ids, people=known_by_ids / "list.csv"))
+    assert grades(known_by_ids)["gh3"]["score"] == "3"
+
+
+def other_checks(text, name="07_dh_link"):
+    """A notebook with the checks of another exercise in it."""
+    other = packed(exercise_from_text(CHECKS, name))
+    return text.replace('checks(\\"\\"', f'checks(\\"{other}\\"')
+
+
+def test_a_notebook_of_another_exercise_is_told_and_not_marked(few):
+    (few / "class" / "bob.ipynb").write_text(other_checks(answered("bob").replace("R_own", "T")))
+    (few / "class" / "eve.ipynb").write_text(
+        other_checks(notebook(SETUP.format(name="eve"), "dh_link = 1"))
+    )
+    for _ in range(2):
+        marked_again(few)
+        rows = grades(few)
+        assert rows["eve"]["status"] == "unreadable"
+        assert rows["eve"]["reason"] == "This is a notebook of '07_dh_link', not of '01_turns'."
+        assert (rows["bob"]["score"], rows["bob"]["status"]) == ("2", "second look")
+        assert rows["bob"]["reason"] == (
+            "The notebook has the checks of '07_dh_link', not those of '01_turns'."
+        )
+        assert rows["ada"]["status"] == "graded"
 
 
 def test_an_archive_gives_the_same_as_its_folder(few):

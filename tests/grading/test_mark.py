@@ -93,7 +93,10 @@ def test_the_further_cases_are_those_of_the_seed(marked):
 def test_the_numbers_are_those_of_the_student_who_is_marked(marked):
     ada = marked(R_X, named="Charles")
     assert ada.questions[1].right
-    assert "names 'Charles', the submission is that of 'Ada'" in ada.reason
+    assert ada.status == "second look"
+    assert ada.reason == (
+        "the notebook names 'Charles'; its answers were compared with those for 'Ada'."
+    )
 
 
 @pytest.mark.parametrize("named", ["ada ", "ADA"])
@@ -102,7 +105,9 @@ def test_a_name_may_be_written_in_another_way(marked, named):
 
 
 def test_a_notebook_without_a_name_is_told_so(marked):
-    assert "names nobody" in marked(R_X, named="").reason
+    nobody = marked(R_X, named="")
+    assert nobody.status == "second look"
+    assert "the notebook names nobody; its answers" in nobody.reason
 
 
 def test_a_cell_that_ends_everything_is_left_out_and_told(marked):

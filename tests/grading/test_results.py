@@ -1,6 +1,7 @@
 """Results as a file, and back."""
 
 import json
+from dataclasses import replace
 
 import pytest
 
@@ -33,9 +34,9 @@ def test_a_row_has_everything_that_marking_says():
     marked = Marked(
         "Ada", (), 1, 3, "partly graded", "Why.", ("Note",), (2,), 0.1, ("numpy",), 5, {"f": []}
     )
-    row = row_of(marked, "a1", "a1.ipynb", "ff", ["Latin-1."])
+    row = replace(row_of(marked, "a1", "ff"), odd=("Latin-1.",), whose="Those of Ada.")
     assert (row.student, row.name, row.status, row.reason) == ("a1", "Ada", "partly graded", "Why.")
-    assert row.all_notes == ("Latin-1.", "Note")
+    assert row.all_notes == ("Latin-1.", "Those of Ada.", "Note")
     assert row.details == {
         "left_out": [2],
         "seconds": 0.1,

@@ -95,8 +95,8 @@ def grade(order: Order, told: Told = lambda *_: None) -> ClassResults:
     Raises
     ------
     DhlabError
-        Something is wrong with the exercise, the folders, the list of students or the sandbox.
-        Nothing was written then.
+        Something is wrong with the exercise, the folders, the list of students or the sandbox;
+        or `out` holds the marks of something else. Nothing was written then.
     """
     exercise = load_exercise(order.exercise)
     order = replace(order, course=order.course or exercise.course)
@@ -112,6 +112,7 @@ def grade(order: Order, told: Told = lambda *_: None) -> ClassResults:
         submissions = find_submissions(entries, exercise.name, _others(order.exercise), people)
         if not submissions:
             raise InputError(f"there is no submission in {str(order.source)!r}")
+        _refuse_to_replace(order.out, before, run, earlier, submissions)
         mark = Marker(exercise, run.seed, order.course, order.sandbox)
         plan = _Plan(ClassResults(run, columns, ()), submissions, kept)
         with Journal(order.out, run, kept.values()) as journal:
@@ -184,7 +185,37 @@ def _run(order: Order, exercise: Exercise, before: Run | None) -> Run:
     parts = "\n".join((exercise.text, *exercise.tools))
     digest = hashlib.sha256(parts.encode()).hexdigest()
     versions = {"dhlab": _version(), "numpy": np.__version__, "python": platform.python_version()}
-    return Run(exercise.name, digest, order.course, seed, order.sandbox, versions)
+    source = str(order.source.resolve())
+    return Run(exercise.name, digest, order.course, seed, order.sandbox, versions, source)
+
+
+def _refuse_to_replace(
+    out: Path, before: Run | None, run: Run, earlier: Sequence[Row], now: Sequence[Submission]
+) -> None:
+    """Refuse to put marks in the place of others: of another exercise, of other submissions.
+
+    What was handed in may have moved or been packed meanwhile, if all of it is there.
+    """
+    if before is None or (before.exercise, before.source) == (run.exercise, run.source):
+        return
+    here = {submission.student: submission for submission in now}
+    lost = [row for row in earlier if row.where and not _is_still(here.get(row.student), row)]
+    if before.exercise != run.exercise or (before.source and lost):
+        source = f" for {before.source!r}" if before.source else ""
+        raise InputError(
+            f"{str(out)!r} holds the marks of {before.exercise!r}{source}; those of "
+            f"{run.exercise!r} for {run.source!r} would take their place: name another --out"
+        )
+
+
+def _is_still(submission: Submission | None, row: Row) -> bool:
+    """Whether what a row was made from is handed in unchanged."""
+    if submission is None:
+        return False
+    try:
+        return submission.read()[0] == row.sha256
+    except InputError:
+        return not row.sha256
 
 
 def _columns(exercise: Exercise, course: str) -> tuple[Column, ...]:

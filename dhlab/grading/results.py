@@ -6,7 +6,7 @@
 import json
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any, get_args
 
@@ -34,6 +34,8 @@ class Run:
     sandbox : str
     versions : mapping of str to str
         Of what took part, by name.
+    source : str
+        Where the submissions were; the marks do not depend on it.
     """
 
     exercise: str
@@ -42,6 +44,7 @@ class Run:
     seed: int
     sandbox: str
     versions: Mapping[str, str]
+    source: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True)
@@ -208,7 +211,8 @@ def read_results(path: Path) -> tuple[Run, list[Row]]:
 
 def run_from(document: Mapping[str, Any]) -> Run:
     """Take the run out of plain data."""
-    return Run(**{field.name: document[field.name] for field in fields(Run)})
+    known = {"source": "", **document}
+    return Run(**{field.name: known[field.name] for field in fields(Run)})
 
 
 def write_whole(path: Path, text: str) -> None:

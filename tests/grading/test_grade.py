@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import psutil
@@ -322,6 +323,41 @@ def test_an_archive_of_tricks_gives_each_student_a_row_and_nobody_else_less(few)
         assert (rows[student].status, rows[student].points) == ("unreadable", 0)
         assert words in rows[student].reason
     assert sorted(p for p in few.rglob("*") if few / "other" not in (p, *p.parents)) == before
+
+
+def test_marks_of_other_submissions_are_not_replaced(few):
+    before = (few / "results" / "results.json").read_bytes()
+    (few / "late").mkdir()
+    (few / "late" / "zoe.ipynb").write_text(answered("zoe"))
+    late = Order(few / "exercises" / NAME, few / "late", few / "results", sandbox="none")
+    said = re.escape(
+        f"{str(few / 'results')!r} holds the marks of '01_turns' for {str(few / 'class')!r}; those "
+        f"of '01_turns' for {str(few / 'late')!r} would take their place: name another --out"
+    )
+    with pytest.raises(DhlabError, match=said):
+        grade(late)
+    for name in ("ada", "bob", "eve"):  # the same students, another attempt
+        (few / "late" / f"{name}.ipynb").write_text(answered(name, "degrees"))
+    with pytest.raises(DhlabError, match=said):
+        grade(late)
+    assert (few / "results" / "results.json").read_bytes() == before
+    assert set(grades(few)) == {"ada", "bob", "eve"}
+    assert {row.student for row in grade(replace(late, out=few / "new")).rows} >= {"zoe", "ada"}
+
+
+def test_marks_of_another_exercise_are_not_replaced(few):
+    other = replace(order(few), exercise=few / "exercises" / "02_others")
+    with pytest.raises(DhlabError, match=r"holds the marks of '01_turns' for .*'02_others' for"):
+        grade(other)
+
+
+def test_submissions_that_have_moved_are_known_again(few):
+    (few / "class" / "none.ipynb").write_bytes(b"")
+    assert marked_again(few) == 1
+    (few / "class").rename(few / "moved")
+    moved = replace(order(few), source=few / "moved")
+    heard = Heard()
+    assert len(grade(moved, heard).rows) == heard.known + 1 == 4
 
 
 def test_results_may_lie_among_the_submissions(few):

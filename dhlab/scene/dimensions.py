@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -12,7 +13,7 @@ import dhlab.shapes as shapes
 from dhlab.arrays import as_color, read_only
 from dhlab.errors import InputError
 from dhlab.kinematics.chain import Chain
-from dhlab.scene.node import Color, Node, Style
+from dhlab.scene.node import Color, Gauge, Node, Style
 from dhlab.shapes import Label, Lines, Mesh
 from dhlab.shapes.between import pose_along
 
@@ -32,6 +33,12 @@ LETTERS = {"alpha": "α", "a": "a", "d": "d", "theta": "θ"}
 PALE = 0.35
 ARC = 0.85
 """Radius of an arc, in lengths of the robot's axes."""
+
+STEP = 0.08
+"""Between the points of an arc, about [rad]; the page's `gauge.js` draws the same."""
+
+MOST = 400
+"""Points of an arc."""
 
 Selection = tuple[int, str | None]
 
@@ -58,7 +65,12 @@ def check_row(selection: Selection | None, chain: Chain, what: str) -> None:
 
 
 def dimension_nodes(
-    selection: Selection, chain: Chain, q: NDArray[np.float64], size: float, paths: list[str]
+    selection: Selection,
+    chain: Chain,
+    q: NDArray[np.float64],
+    size: float,
+    paths: list[str],
+    keys: Sequence[str],
 ) -> dict[str, Node]:
     """Return the nodes of the dimensions of one row.
 
@@ -76,6 +88,8 @@ def dimension_nodes(
         Length of the axes of the robot's frames.
     paths : list of str
         Nodes of the chain's frames: the base, then the joints.
+    keys : sequence of str
+        Of the joints: the number of the row that is a joint's variable goes with it in the page.
 
     Returns
     -------
@@ -98,9 +112,14 @@ def dimension_nodes(
         places |= {"theta": (before, np.eye(4)), "d": (before, np.eye(4))}
     values = {"alpha": alpha, "a": a, "d": d, "theta": theta}
     numbers = {"alpha": link, "a": link, "d": i, "theta": i}
+    kind = chain.kinds[i - 1]
     nodes: dict[str, Node] = {}
     for parameter, (path, pose) in places.items():
-        text = f"{LETTERS[parameter]}_{{{numbers[parameter]}}} = {_amount(parameter, values)}"
+        text = f"{LETTERS[parameter]}_{{{numbers[parameter]}}} = "
+        gauge = None
+        if parameter == ("theta" if kind == "r" else "d"):
+            gauge = Gauge(keys[i - 1], kind, variable, ARC * size, text)
+        text += _amount(parameter, values)
         style = Style(
             color=COLORS[parameter],
             opacity=PALE if lit not in (None, parameter) else 1.0,
@@ -108,7 +127,7 @@ def dimension_nodes(
             line_width=5.0 if lit == parameter else 3.0,
         )
         drawn = _drawing(parameter, values[parameter], size)
-        nodes |= _placed(f"{path}/{parameter}", read_only(pose), drawn, text, style)
+        nodes |= _placed(f"{path}/{parameter}", read_only(pose), drawn, text, style, gauge)
     return nodes
 
 
@@ -125,14 +144,15 @@ def _placed(
     drawn: tuple[Lines, Mesh, NDArray[np.float64]] | tuple[None, None, NDArray[np.float64]],
     text: str,
     style: Style,
+    gauge: Gauge | None,
 ) -> dict[str, Node]:
     line, head, at = drawn
-    nodes = {path: Node(pose=pose, shape=line, style=style)}
+    nodes = {path: Node(pose=pose, shape=line, style=style, gauge=gauge)}
     if head is not None:
-        nodes[f"{path}/head"] = Node(shape=head, style=style)
+        nodes[f"{path}/head"] = Node(shape=head, style=style, gauge=gauge)
     label = _pose(np.eye(3), at)
     big = Label(text, size=21.0 if style.line_width > 4 else 17.0)
-    nodes[f"{path}/label"] = Node(pose=read_only(label), shape=big, style=style)
+    nodes[f"{path}/label"] = Node(pose=read_only(label), shape=big, style=style, gauge=gauge)
     return nodes
 
 
@@ -147,16 +167,16 @@ def _drawing(
     along = np.eye(3)[0 if parameter in ("alpha", "a") else 2]
     if parameter in ("a", "d"):
         points = np.array([np.zeros(3), value * along])
+        middle = points.mean(axis=0)
         aside = 0.18 * size * np.eye(3)[2 if parameter == "a" else 0]
     else:
         first = np.eye(3)[2 if parameter == "alpha" else 0]
-        angles = np.linspace(0, value, max(2, int(abs(value) / 0.08) + 2))[:, None]
+        angles = np.linspace(0, value, min(int(abs(value) / STEP) + 2, MOST))[:, None]
         radius = ARC * size
         points = radius * (np.cos(angles) * first + np.sin(angles) * np.cross(along, first))
-        half = value / 2
-        aside = 0.25 * size * (np.cos(half) * first + np.sin(half) * np.cross(along, first))
+        outwards = np.cos(value / 2) * first + np.sin(value / 2) * np.cross(along, first)
+        middle, aside = radius * outwards, 0.25 * size * outwards
         points = np.asarray(points)
-    middle = points[len(points) // 2] if len(points) > 2 else points.mean(axis=0)
     length = float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
     if length < 1e-9 * max(size, 1.0):
         return None, None, read_only(points[0] + aside)

@@ -137,6 +137,33 @@ class Span(NamedTuple):
     grown: float = -float("inf")
 
 
+class Gauge(NamedTuple):
+    """What a node shows of a joint's variable: a page draws it anew where a slider moves that.
+
+    The node is the arc about z from x of an angle, or the segment along z of a slide (`Lines`), the
+    head at its end (`Mesh`), or its text (`Label`).
+
+    Attributes
+    ----------
+    key : str
+        Of the joint.
+    kind : {'r', 'p'}
+        Of the joint.
+    value : float [rad or m]
+        For which the node is drawn.
+    size : float [m]
+        Radius of an arc.
+    text : str
+        What stands before the value.
+    """
+
+    key: str
+    kind: Literal["r", "p"]
+    value: float
+    size: float
+    text: str
+
+
 class Node(NamedTuple):
     """One node of the scene.
 
@@ -156,6 +183,8 @@ class Node(NamedTuple):
         The planned motion of this node; `pose` and `value` are the state it rests in.
     span : Span or None
         When the node is drawn, with all that it carries; None for always.
+    gauge : Gauge or None
+        The variable that its shape shows.
     """
 
     pose: NDArray[np.float64] = IDENTITY
@@ -166,6 +195,7 @@ class Node(NamedTuple):
     visible: bool = True
     curve: Curve | None = None
     span: Span | None = None
+    gauge: Gauge | None = None
 
     @property
     def matrix(self) -> NDArray[np.float64]:
@@ -188,6 +218,7 @@ def same_but_for_place(a: Node, b: Node) -> bool:
         and a.style is b.style
         and a.visible == b.visible
         and a.span is b.span
+        and a.gauge is b.gauge
     )
 
 
@@ -199,7 +230,10 @@ def same_pose(a: Node, b: Node) -> bool:
 def same_body(a: Node, b: Node) -> bool:
     """Whether two nodes draw the same shape, at the same times, and move in the same way."""
     return (
-        same_shape(a.shape, b.shape) and same_joint(a.joint, b.joint) and same_span(a.span, b.span)
+        same_shape(a.shape, b.shape)
+        and same_joint(a.joint, b.joint)
+        and same_span(a.span, b.span)
+        and a.gauge == b.gauge
     )
 
 

@@ -46,7 +46,7 @@ class Description:
             selection, size = component.dimensions, component.frame_size
             if selection is not None:
                 chain, q = component.chain, component.q
-                nodes |= dimension_nodes(selection, chain, q, size, paths)
+                nodes |= dimension_nodes(selection, chain, q, size, paths, component.keys)
         return nodes
 
 

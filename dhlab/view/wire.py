@@ -148,6 +148,8 @@ class _Message:
             entry["curve"] = self._curve(node.curve)
         if node.span is not None:
             entry["span"] = self._span(node.span)
+        if node.gauge is not None:
+            entry["gauge"] = node.gauge._asdict()
         self._append("puts", entry)
 
     def place(self, path: str, node: Node) -> None:

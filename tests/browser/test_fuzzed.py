@@ -142,6 +142,7 @@ def messages():
     table = [dh(0, 0.1, 0, 0), dh(np.pi / 2, 0.2, 0.1, 0.3)]
     fingers = [robot(table, "rp", name=name, grasper=(0.1, 0, 0)) for name in ("one", "two")]
     hand = robot_complex(*fingers, name="hand")
+    hand.components[0].dimensions, hand.components[1].dimensions = 1, 2
     box, brick = cube(0.2, name="box"), cuboid(0.1, 0.2, 0.3, name="brick", color="#d55e00")
     view = View("scene").add(hand, box, brick, csys(name="axes"))
     animate(np.linspace(0, 1, 5), {box: lambda t: (t, 0, 0)}, trace=True)

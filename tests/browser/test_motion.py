@@ -202,6 +202,63 @@ def test_a_slider_of_the_page_moves_a_joint_at_once_and_without_the_kernel(noteb
     assert shown.evaluate(joint(1)) == 0.25
 
 
+GAUGE = """Object.fromEntries([...view.scene.nodes.values()].filter(({ gauge }) => gauge)
+  .map(({ path, shape }) => {
+    const group = stage.tree.group(path);
+    stage.tree.root.updateMatrixWorld(true);
+    const body = stage.tree.body(path);
+    if (shape.kind === "label") {
+      return ["label", [body.text, group.matrixWorld.elements.slice(12, 15)]];
+    }
+    const { geometry } = body.object;
+    const { end, position } = geometry.attributes;
+    const mean = group.position.clone().set(0, 0, 0);
+    const count = (end ?? position).count;
+    for (let i = 0; i < count; i++) {
+      const point = group.position.clone().fromBufferAttribute(end ?? position, i);
+      mean.addScaledVector(point.applyMatrix4(group.matrixWorld), 1 / count);
+    }
+    return [shape.kind, [count, mean.toArray()]];
+  }))"""
+
+
+@pytest.mark.parametrize("number", [1, 3], ids=["an angle", "a slide"])
+def test_a_dimension_goes_with_a_slider_while_the_kernel_is_busy(notebook, shown, number):
+    key = shown.evaluate(joint(number, "joint.key"))
+    q = [-0.6, 0.2, 0.3]
+    with notebook.busy(f"arm.set(q={q}, dimensions={number}); main.flush()"):
+        shown.wait_until(f"Object.keys({GAUGE}).length === 3 && {joint(1)} === -0.6")
+        before = shown.evaluate(GAUGE)
+        shown.evaluate(f"{PAGE}.publish({{[{key!r}]: -0.8765}}, 'slider')")
+        there = shown.evaluate(GAUGE)
+    q[number - 1] = -0.8765
+    notebook.execute(f"arm.q = {q}; main.flush()")
+    shown.wait_until("[...view.scene.nodes.values()].some((n) => n.gauge?.value === -0.8765)")
+    here = shown.evaluate(GAUGE)
+    assert there.keys() == here.keys() == {"lines", "mesh", "label"}
+    assert there["label"][0] == {1: "θ_{1} = -50.22°", 3: "d_{3} = -0.8765 m"}[number]
+    for part in here:
+        assert there[part][0] == here[part][0]
+        if part == "mesh" and number == 3:  # that of a slide turns round where it changes its sign
+            continue
+        near = 5e-3 if part == "mesh" else 1e-5  # a head points along the last piece of its arc
+        assert there[part][1] == pytest.approx(here[part][1], abs=near)
+        assert there[part][1] != pytest.approx(before[part][1], abs=1e-2)
+    notebook.execute("arm.dimensions = None; main.flush()")
+
+
+def test_a_dimension_grows_from_nothing_with_a_slider(notebook, shown):
+    key = shown.evaluate(joint(1, "joint.key"))
+    notebook.execute("arm.set(q=[0, 0.2, 0], dimensions=1); main.flush()")
+    shown.wait_until("[...view.scene.nodes.values()].some(({ gauge }) => gauge)")
+    assert shown.evaluate(GAUGE)["lines"][0] == 0
+    shown.evaluate(f"{PAGE}.publish({{[{key!r}]: 0.5}}, 'slider')")
+    seen = shown.evaluate(GAUGE)
+    assert seen["lines"][0] == 4 * 7
+    assert seen["label"][0] == "θ_{1} = 28.65°"
+    notebook.execute("arm.dimensions = None; main.flush()")
+
+
 def test_an_older_answer_of_the_kernel_does_not_pull_a_dragged_joint_back(notebook, shown):
     key = shown.evaluate(joint(1, "joint.key"))
     shown.evaluate(f"({PAGE}.ahead.add({key!r}), {PAGE}.publish({{[{key!r}]: 0.25}}, 'slider'))")

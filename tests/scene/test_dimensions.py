@@ -90,6 +90,31 @@ def test_the_lit_one_stands_out_and_all_say_their_values():
     assert {"a_{2} = 0.4318 m", "d_{3} = 0.1491 m", "α_{2} = 0°", "θ_{3} = 0°"} <= texts
 
 
+@pytest.mark.parametrize("convention", ["modified", "standard"])
+@pytest.mark.parametrize("seed", range(6))
+def test_the_number_that_is_the_joint_s_variable_is_a_gauge_of_that_joint(convention, seed):
+    arm = random_arm(seed, convention)
+    for row in (1, 2, 3):
+        arm.dimensions = row
+        nodes = arm.describe()
+        gauges = {p: n.gauge for p, n in nodes.items() if n.gauge is not None}
+        joint = next(n for p, n in nodes.items() if p.endswith(f"/{row}") and n.joint is not None)
+        name = "theta" if joint.joint.kind == "r" else "d"
+        assert [p.partition(f"/{name}")[2] for p in gauges] == ["", "/head", "/label"]
+        for gauge in gauges.values():
+            assert gauge[:3] == (joint.joint.key, joint.joint.kind, joint.value)
+            assert nodes[next(p for p in gauges if p.endswith("label"))].shape.text.startswith(
+                gauge.text
+            )
+
+
+def test_an_arc_of_many_turns_is_drawn_with_a_limited_number_of_points():
+    arm = models.scara()
+    arm.set(limits=None, q=[1e6, *arm.q[1:]], dimensions=1)
+    arc = next(n for p, n in arm.describe().items() if p.endswith("/theta"))
+    assert len(arc.shape.points) == 400
+
+
 def test_live_equals_fresh_while_the_robot_moves():
     arm = models.scara()
     backend = RecordingBackend()

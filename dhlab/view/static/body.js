@@ -1,5 +1,6 @@
 /** What one node draws: a mesh with its feature edges, lines, or a label. */
 import { createClay } from "./clay.js";
+import { gaugeSegments, gaugeText } from "./gauge.js";
 import { createLabel } from "./label.js";
 import { createLineMaterial, createSegments, showSegments } from "./lines.js";
 import { THREE } from "./meshcat.js";
@@ -70,9 +71,13 @@ class MeshBody {
 class LinesBody {
   #workshop;
   #key;
+  #gauge;
+  #measured;
 
-  constructor({ shape, style }, workshop) {
+  constructor({ shape, style, gauge }, workshop) {
     this.#workshop = workshop;
+    this.#gauge = gauge;
+    this.#measured = gauge?.value;
     this.object = new THREE.Mesh(createSegments(shape.segments));
     this.object.matrixAutoUpdate = false;
     this.paint(style);
@@ -92,6 +97,14 @@ class LinesBody {
     showSegments(this.object.geometry, count);
   }
 
+  /** As a gauge: show another value than it was drawn for. */
+  measure(value) {
+    if (value === this.#measured) return;
+    this.#measured = value;
+    this.object.geometry.dispose();
+    this.object.geometry = createSegments(gaugeSegments(this.#gauge, value));
+  }
+
   dispose() {
     this.object.geometry.dispose();
     this.#workshop.materials.give(this.#key);
@@ -101,11 +114,13 @@ class LinesBody {
 class LabelBody {
   #workshop;
   #node;
+  #text;
   #label = null;
 
   constructor(node, workshop) {
     this.#workshop = workshop;
     this.#node = node;
+    this.#text = node.shape.text;
     this.object = new THREE.Group();
     this.object.matrixAutoUpdate = false;
     this.paint(node.style);
@@ -116,9 +131,22 @@ class LabelBody {
     const { halo, lift } = contrast;
     const ink = color.map((part) => part + lift * (1 - part));
     this.#clear();
-    this.#label = createLabel(this.#node.shape, ink, opacity, halo, ratio);
+    this.#label = createLabel({ ...this.#node.shape, text: this.#text }, ink, opacity, halo, ratio);
     this.#label.resize(unit);
     this.object.add(this.#label.sprite);
+  }
+
+  /** As a gauge: say another value than it was drawn for. */
+  measure(value) {
+    const { gauge, shape, style } = this.#node;
+    const text = value === gauge.value ? shape.text : gaugeText(gauge, value);
+    if (text === this.#text) return;
+    this.#text = text;
+    this.paint(style);
+  }
+
+  get text() {
+    return this.#text;
   }
 
   get sprite() {

@@ -11,7 +11,7 @@ export function encode(scene) {
   const puts = [...scene.nodes.values()].map((node) => encodePut(node, pack, styles));
   const geometry = new Map();
   for (const { digest, shape } of scene.nodes.values()) {
-    if (shape && !geometry.has(digest)) geometry.set(digest, encodeShape(shape, pack));
+    if (digest !== null && !geometry.has(digest)) geometry.set(digest, encodeShape(shape, pack));
   }
   const clocks = scene.players.map(({ key, times }) => [
     key,
@@ -56,7 +56,7 @@ class Pack {
 }
 
 function encodePut(node, pack, styles) {
-  const { id, path, pose, joint, digest, style, visible, curve, span, shown } = node;
+  const { id, path, pose, joint, digest, style, visible, curve, span, gauge, shown } = node;
   return {
     id,
     path,
@@ -68,6 +68,7 @@ function encodePut(node, pack, styles) {
     ...(!visible && { visible }),
     ...(curve && { curve: encodeCurve(curve, pack) }),
     ...(span && { span: encodeSpan(span) }),
+    ...(gauge && { gauge }),
   };
 }
 

@@ -34,9 +34,16 @@ export function jointMotion(kind, value) {
   return pose;
 }
 
+/** How far the parts of a gauge go with its end: its line is drawn anew instead. */
+const WAYS = { mesh: 1, label: 0.5, lines: 0 };
+
 /** Forward kinematics of one node: its pose in its parent, as shown now. */
 export function shownPose(node) {
-  const { joint, shown } = node;
+  const { joint, gauge, shown } = node;
+  if (gauge) {
+    const way = WAYS[node.shape.kind] * (shown.variable - gauge.value);
+    return way === 0 ? shown.pose : multiply(jointMotion(gauge.kind, way), shown.pose);
+  }
   if (!joint) return shown.pose;
   const moved = multiply(node.pose, jointMotion(joint.kind, shown.value));
   return joint.after ? multiply(moved, joint.after) : moved;

@@ -11,9 +11,11 @@ import { IDENTITY, multiply, shownPose } from "./motion.js";
 import { sharedPage } from "./page.js";
 
 const HOLD = 300;
+const NO_LINES = { kind: "lines", segments: new Float32Array(0) };
 
 export class Scene {
   #joints = new Map();
+  #gauges = new Map();
   #motions = new Motions(this);
   #leave;
 
@@ -62,12 +64,19 @@ export class Scene {
 
   tell(event, ...about) {
     for (const observer of this.observers) observer[event](...about);
+    const [node] = about;
+    if (event !== "moved" || !node.joint) return;
+    for (const gauge of this.#gauges.get(node.joint.key) ?? []) {
+      gauge.shown.variable = node.shown.value;
+      this.tell("moved", gauge);
+    }
   }
 
   close() {
     this.#leave();
     this.#motions.close();
-    for (const kept of [this.observers, this.nodes, this.paths, this.geometry, this.#joints]) kept.clear();
+    const all = [this.observers, this.nodes, this.paths, this.geometry, this.#joints, this.#gauges];
+    for (const kept of all) kept.clear();
   }
 
   #check(batch) {
@@ -105,9 +114,9 @@ export class Scene {
 
   #put(put) {
     const old = this.nodes.get(put.id);
-    if (old) this.#forgetJoint(old);
+    if (old) this.#forgetKeys(old);
     const node = Object.assign(old ?? { children: new Set(), parent: null }, put, {
-      shape: put.shape === null ? null : this.geometry.get(put.shape),
+      shape: put.shape === null ? (put.gauge && NO_LINES) : this.geometry.get(put.shape),
       digest: put.shape,
       shown: { value: put.value, pose: put.pose, count: Infinity, hidden: false },
       heldUntil: 0,
@@ -118,7 +127,7 @@ export class Scene {
       node.parent = this.nodes.get(this.paths.get(parentOf(node.path))) ?? null;
       node.parent?.children.add(node);
     }
-    if (node.joint) this.#rememberJoint(node);
+    this.#rememberKeys(node);
     this.tell(old ? "reshaped" : "added", node);
   }
 
@@ -140,7 +149,7 @@ export class Scene {
   #remove(node) {
     if (!node) return;
     for (const child of [...node.children]) this.#remove(child);
-    this.#forgetJoint(node);
+    this.#forgetKeys(node);
     node.parent?.children.delete(node);
     this.nodes.delete(node.id);
     this.paths.delete(node.path);
@@ -151,17 +160,21 @@ export class Scene {
     for (const node of [...this.nodes.values()]) if (!node.parent) this.#remove(node);
   }
 
-  #rememberJoint(node) {
-    const { key } = node.joint;
-    if (!this.#joints.has(key)) this.#joints.set(key, new Set());
-    this.#joints.get(key).add(node);
-    sharedPage().joints.set(key, node.shown.value);
+  #rememberKeys(node) {
+    const { joint, gauge, shown } = node;
+    if (joint) {
+      enter(this.#joints, joint.key, node);
+      sharedPage().joints.set(joint.key, shown.value);
+    }
+    if (!gauge) return;
+    enter(this.#gauges, gauge.key, node);
+    const [measured] = this.#joints.get(gauge.key) ?? [];
+    shown.variable = measured?.shown.value ?? gauge.value;
   }
 
-  #forgetJoint(node) {
-    const nodes = node.joint && this.#joints.get(node.joint.key);
-    nodes?.delete(node);
-    if (nodes?.size === 0) this.#joints.delete(node.joint.key);
+  #forgetKeys(node) {
+    if (node.joint) leave(this.#joints, node.joint.key, node);
+    if (node.gauge) leave(this.#gauges, node.gauge.key, node);
   }
 
   #dropUnusedGeometry() {
@@ -210,6 +223,17 @@ export class Scene {
     this.tell("moved", node);
     this.tell("changed");
   }
+}
+
+function enter(index, key, node) {
+  if (!index.has(key)) index.set(key, new Set());
+  index.get(key).add(node);
+}
+
+function leave(index, key, node) {
+  const nodes = index.get(key);
+  nodes?.delete(node);
+  if (nodes?.size === 0) index.delete(key);
 }
 
 function parentOf(path) {

@@ -56,6 +56,7 @@ export class Tree {
     group.matrixWorldNeedsUpdate = true;
     group.visible = node.visible && !node.shown.hidden;
     body?.show?.(node.shown.count);
+    if (node.gauge) body?.measure?.(node.shown.variable);
   }
 
   painted(node) {
@@ -74,6 +75,11 @@ export class Tree {
   /** The three.js group of the node at `path`. */
   group(path) {
     return this.#entries.get(this.scene.paths.get(path))?.group;
+  }
+
+  /** What the node at `path` draws. */
+  body(path) {
+    return this.#entries.get(this.scene.paths.get(path))?.body;
   }
 
   /** Lines and labels keep their size on the screen: tell them its size and the camera's. */
@@ -108,7 +114,7 @@ export class Tree {
       if (!group.visible) return;
       const box = group.geometry?.boundingBox;
       const place = () => toScene.clone().multiply(group.matrixWorld);
-      if (box) points.push(...cornersOf(box, place()));
+      if (box && !box.isEmpty()) points.push(...cornersOf(box, place()));
       else if (group.isSprite) points.push(new THREE.Vector3().setFromMatrixPosition(place()));
       else group.children.forEach(visit);
     };

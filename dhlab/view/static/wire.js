@@ -113,11 +113,21 @@ function decodePut(put, read, styles) {
     visible: put.visible ?? true,
     curve: put.curve ? decodeCurve(put.curve, read) : null,
     span: put.span ? decodeSpan(put.span) : null,
+    gauge: put.gauge ? decodeGauge(put.gauge) : null,
   };
 }
 
-function decodeJoint({ kind, key, after }) {
+function decodeGauge({ kind, key, value, size, text }) {
+  checkKind(kind);
+  return { kind, key: String(key), value: finite(value, "value"), size: finite(size, "size"), text: String(text) };
+}
+
+function checkKind(kind) {
   if (kind !== "r" && kind !== "p") throw new Error(`no joint kind '${kind}'; use 'r' or 'p'`);
+}
+
+function decodeJoint({ kind, key, after }) {
+  checkKind(kind);
   if (!after) return { kind, key: String(key), after: null };
   if (after.length !== 12) throw new Error("a pose has 12 numbers");
   after.forEach((part) => finite(part, "a pose"));

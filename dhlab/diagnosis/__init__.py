@@ -16,7 +16,8 @@ named: `seen` then says what anybody can see. The more cases and the less specia
 the fewer the alternatives: three inputs without zeros and right angles tell most mistakes apart.
 
 - `verdict`: what a judgement says; `values`: from whatever came to numbers; `seen`: what is seen
-- `slips`: the search; `product`, `product_slips`, `after`: what goes wrong in a product
+- `slips`: the search; `product`, `product_slips`, `turn_slips`, `after`: what goes wrong in a
+  product
 - `matrix`: a matrix that is a product of turns, slides and given poses; `point`: what such a
   product is applied to; `triples`: the angles of a rotation
 - `trajectory`, `motion`: a cubic or a quintic from one configuration to another

@@ -12,7 +12,16 @@ from dhlab.diagnosis.matrix import MatrixTask
 from dhlab.diagnosis.product import Product, evaluate_products, given
 from dhlab.diagnosis.product_slips import product_slips
 from dhlab.diagnosis.seen import pose_seen
-from dhlab.diagnosis.slips import ALTERNATIVES, NOTHING, Explanation, Slip, explain, verdict_of
+from dhlab.diagnosis.slips import (
+    ALTERNATIVES,
+    COARSE,
+    NEARLY,
+    NOTHING,
+    Explanation,
+    Slip,
+    explain,
+    verdict_of,
+)
 from dhlab.diagnosis.values import TOLERANCE, Floats, Unreadable, close, inverted, numbers
 from dhlab.diagnosis.verdict import Case, Mistake, Verdict, mistake
 from dhlab.errors import InputError
@@ -90,9 +99,11 @@ class ArrangementTask:
         if len(out) == len(self.frames) > 1 and self._moved_alike(came, wanted):
             return self._as_a_whole(came, wanted, causes[0])
         inputs = [case[0] for case in cases]
-        found = [self._explain(n, inputs, came, wanted) for n in causes[:2]]
+        found = [f for n in causes[:2] if (f := self._explain(n, inputs, came, wanted))]
+        if not found and all(self._all_close(came, wanted, n, COARSE) for n in out):
+            return Verdict(False, NEARLY)
         seen = self._seen(came, hung, out, causes)
-        return verdict_of(seen, _together([f for f in found if f]))
+        return verdict_of(seen, _together(found))
 
     def _products(self, inputs: Sequence[Any]) -> dict[str, Product]:
         products = {}
@@ -119,16 +130,18 @@ class ArrangementTask:
     def _in_parent(self, poses: Poses, name: str) -> Floats:
         return inverted(self._parent(poses, name)) @ poses[name]
 
-    def _all_close(self, came: Sequence[Poses], there: Sequence[Poses], name: str) -> bool:
+    def _all_close(
+        self, came: Sequence[Poses], there: Sequence[Poses], name: str, times: float = 1
+    ) -> bool:
         pairs = zip(came, there, strict=True)
-        return all(close(a[name], b[name], self.tolerance) for a, b in pairs)
+        return all(close(a[name], b[name], times * self.tolerance) for a, b in pairs)
 
     def _moved_alike(self, came: Sequence[Poses], wanted: Sequence[Poses]) -> bool:
         """Whether all frames are right among each other."""
         first = next(iter(self.frames))
         for c, w in zip(came, wanted, strict=True):
             move = c[first] @ inverted(w[first])
-            if not all(close(c[n], move @ w[n], 10 * self.tolerance) for n in self.frames):
+            if not all(close(c[n], move @ w[n], 3 * self.tolerance) for n in self.frames):
                 return False
         return True
 
@@ -205,6 +218,7 @@ def _in_product(P: Product, name: str) -> Iterator[Slip[Placed]]:
             lambda m, change=slip.change: replace(  # type: ignore[misc]
                 m, product=change(m.product)
             ),
+            alone=slip.alone,
         )
 
 

@@ -101,8 +101,24 @@ def _pen(chain: Chain) -> Iterator[Slip[Table]]:
         for quarter in (pi / 2, -pi / 2):
             by = _changed(i, 0, lambda x, quarter=quarter: x + quarter)  # type: ignore[misc]
             yield Slip(m, by, alone=True)
+    yield from _exchanged(chain)
+
+
+def _exchanged(chain: Chain) -> Iterator[Slip[Table]]:
+    """Two lengths, or two rows, in each other's places."""
     for i, j in combinations(range(chain.n), 2):
-        if chain.rows[i].a != chain.rows[j].a:
+        one, other = chain.rows[i], chain.rows[j]
+        if (one.alpha, one.d) != (other.alpha, other.d):
+
+            def rows_exchanged(rows: Floats, i: int = i, j: int = j) -> None:
+                rows[[i, j]] = rows[[j, i]]
+
+            when = f"rows {i + 1} and {j + 1} are exchanged"
+            m = mistake(
+                f"rows-exchanged-{i + 1}-{j + 1}", when, "Which joint does each row lead to?"
+            )
+            yield Slip(m, _edit(rows_exchanged), alone=True)
+        if one.a != other.a:
             when = f"a of rows {i + 1} and {j + 1} are exchanged"
             question = "Which length lies between which two axes?"
             m = mistake(f"a-exchanged-{i + 1}-{j + 1}", when, question)

@@ -110,8 +110,7 @@ def _in_other_places(slips: Sequence[Slip[Product]]) -> list[Slip[Product]]:
     """Leave out what is no slip of its own.
 
     Turn and slide along one axis may change places: then the reverse order
-    of the factors is that of the other convention.
+    of the factors is that of the other convention. And angles that are exchanged are columns.
     """
-    return [
-        s for s in slips if s.mistake.key not in ("swapped-1-2", "swapped-3-4", "reversed-order")
-    ]
+    others = ("swapped-1-2", "swapped-3-4", "reversed-order", "angles-exchanged-")
+    return [s for s in slips if not s.mistake.key.startswith(others)]

@@ -21,7 +21,8 @@ class Motion:
     """A polynomial between two configurations, and what was done to it.
 
     `q0, qt, v0, vt` have shape (n,), the instants `at` (m,). Coefficients hold for the time since
-    `clock`, the highest power first.
+    `clock`, the highest power first. The `weights` of what is asked for say how much it counts: a
+    coefficient as much as what it gives at the end.
     """
 
     q0: Floats
@@ -34,6 +35,7 @@ class Motion:
     degree: int
     answer: Answer
     clock: float
+    weights: Floats
     profile: Callable[["Motion"], Floats] | None = None
     edits: tuple[After, ...] = ()
     backwards: bool = False

@@ -1,9 +1,10 @@
 """The task of carrying a point or a direction from one frame to another."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from dhlab.arrays import as_vector
@@ -98,12 +99,13 @@ class Carried:
     point: Floats
     use: Use
     scale: float = 1.0
+    signs: Floats = field(default_factory=lambda: np.ones(3))
 
 
 def evaluate_points(models: Sequence[Carried]) -> list[Floats]:
     """Points of several models, each (3,)."""
     poses = evaluate_products([m.product for m in models])
-    return [m.scale * m.use(T, m.point) for m, T in zip(models, poses, strict=True)]
+    return [m.scale * m.signs * m.use(T, m.point) for m, T in zip(models, poses, strict=True)]
 
 
 def point_slips(model: Carried) -> list[Slip[Carried]]:
@@ -136,6 +138,7 @@ def _in_product(product: Product) -> Iterator[Slip[Carried]]:
                 lambda m, change=slip.change: replace(  # type: ignore[misc]
                     m, product=change(m.product)
                 ),
+                alone=slip.alone or slip.mistake.key.startswith("left-handed"),
             )
 
 
@@ -173,6 +176,13 @@ def _with_point(direction: bool) -> Iterator[Slip[Carried]]:
         yield Slip(
             mistake(key, when, question),
             lambda m, use=use: replace(m, use=use),  # type: ignore[misc]
+        )
+    for k, axis in enumerate("xyz"):
+        yield Slip(
+            mistake(f"sign-of-{axis}", f"the {axis} coordinate has the wrong sign", rule),
+            lambda m, k=k: replace(  # type: ignore[misc]
+                m, signs=np.where(np.arange(3) == k, -m.signs, m.signs)
+            ),
         )
     unit = "In which unit are the lengths asked for?"
     for key, when, factor in (

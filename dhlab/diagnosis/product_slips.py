@@ -2,18 +2,17 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from math import degrees, pi, radians
 
 import numpy as np
 
 from dhlab.diagnosis.after import after_slips, negated_origin, transposed
 from dhlab.diagnosis.product import Move, Product
 from dhlab.diagnosis.slips import Slip
+from dhlab.diagnosis.turn_slips import turn_slips
 from dhlab.diagnosis.values import Floats
 from dhlab.diagnosis.verdict import Mistake, mistake
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
-HAND = "Point your right thumb along the axis: which way do the fingers curl?"
 
 
 def product_slips(
@@ -34,7 +33,7 @@ def product_slips(
     """
     names = names or tuple(_name(m, k, moves) for k, m in enumerate(moves))
     slips = [  # the order of the factors last: until then each is at its place
-        *_angles(moves, names),
+        *turn_slips(moves, names),
         *_axes(moves, names),
         *_slides(moves, names),
         *_inverses(moves, names, rotation),
@@ -97,56 +96,6 @@ def _reversed(about: str | None) -> Mistake:
 
 def _swapped(moves: tuple[Move, ...], k: int) -> tuple[Move, ...]:
     return (*moves[:k], moves[k + 1], moves[k], *moves[k + 2 :])
-
-
-def _angles(moves: Sequence[Move], names: Sequence[str]) -> Iterator[Slip[Product]]:
-    turns = [k for k, m in enumerate(moves) if m.kind == "turn"]
-    for k in turns:
-        yield Slip(
-            mistake(f"sign-{k + 1}", f"{names[k]} goes the wrong way round", HAND),
-            lambda p, k=k: p.changed(k, angle=-p.moves[k].angle),  # type: ignore[misc]
-        )
-        yield Slip(
-            mistake(
-                f"sine-cosine-{k + 1}",
-                f"sine and cosine are exchanged in {names[k]}",
-                "What must the matrix be when its angle is 0?",
-            ),
-            lambda p, k=k: p.changed(k, angle=pi / 2 - p.moves[k].angle),  # type: ignore[misc]
-        )
-        if isinstance(moves[k].axis, str):
-            yield Slip(
-                mistake(
-                    f"both-sines-{k + 1}",
-                    f"both sines in {names[k]} have the same sign",
-                    "Where does the turn carry each axis? Its picture is a column of the matrix.",
-                ),
-                lambda p, k=k: p.changed(k, flawed=_both_sines),  # type: ignore[misc]
-            )
-    units = "Do the sine and cosine of numpy take degrees or radians?"
-    if len(turns) > 1:
-        yield Slip(
-            mistake("sign-all", "every angle has the wrong sign", HAND),
-            lambda p: _all_angles(p, -1),
-        )
-    if turns:
-        yield Slip(
-            mistake("degrees", "angles in radians are taken for degrees", units),
-            lambda p: _all_angles(p, radians(1)),
-        )
-        yield Slip(
-            mistake("radians", "degrees are put in where radians belong", units),
-            lambda p: _all_angles(p, degrees(1)),
-        )
-
-
-def _both_sines(T: Floats) -> Floats:
-    """Turn about a coordinate axis whose two sines have one sign."""
-    return T * np.where(np.triu(T, 1) != 0, -1, 1)
-
-
-def _all_angles(p: Product, factor: float) -> Product:
-    return replace(p, moves=tuple(replace(m, angle=m.angle * factor) for m in p.moves))
 
 
 def _axes(moves: Sequence[Move], names: Sequence[str]) -> Iterator[Slip[Product]]:
@@ -232,6 +181,7 @@ def _counts(moves: Sequence[Move], names: Sequence[str]) -> Iterator[Slip[Produc
         yield Slip(
             mistake(f"twice-{k + 1}", f"{names[k]} is made twice", question),
             lambda p, k=k: p.changed(k, flawed=_squared),  # type: ignore[misc]
+            alone=True,
         )
 
 

@@ -32,7 +32,9 @@ def read_chain(value: Any, like: Chain, zero_free: bool) -> Chain:
         With a sentence for the student.
     """
     given: dict[Any, Any] = dict(value) if isinstance(value, Mapping) else {"rows": value}
-    rows = numbers(given.get("rows"), [(-1, 4)], "the table")
+    if "rows" not in given:
+        raise Unreadable("A table is asked for by its rows: alpha, a, d and theta of each joint.")
+    rows = numbers(given["rows"], [(-1, 4)], "the table")
     n = len(rows)
     joints = _joints(given.get("joints"), n)
     if joints is None:

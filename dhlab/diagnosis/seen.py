@@ -7,7 +7,11 @@ import numpy as np
 from dhlab.diagnosis.values import Floats, as_pose44
 from dhlab.kinematics.angles import r2angvec
 
-SMALL = 1e-6
+SMALL = 2e-4
+"""What rounding to four digits does is not spoken of."""
+
+SKEW = 2e-3
+"""A rotation matrix rounded to three digits is still one."""
 
 
 def pose_seen(came: Floats, wanted: Floats, name: str = "the frame") -> str:
@@ -16,9 +20,19 @@ def pose_seen(came: Floats, wanted: Floats, name: str = "the frame") -> str:
     Examples
     --------
     >>> pose_seen(np.diag([1.0, 1, 2]), np.eye(3))
-    'This is no rotation matrix: its z column is longer than 1.'
+    'This is no rotation matrix: its z column is longer than 1. Only the number in row 3, column 3
+    is not right.'
     """
     A, B = as_pose44(came), as_pose44(wanted)
+    off = np.argwhere(np.abs(A - B) > SMALL * (1 + np.abs(B)))
+    alone = ""
+    if len(off) == 1 and off[0][1] < 3:
+        row, column = off[0] + 1
+        alone = f" Only the number in row {row}, column {column} is not right."
+    return _pose_seen(A, B, name) + alone
+
+
+def _pose_seen(A: Floats, B: Floats, name: str) -> str:
     if np.abs(A[3] - (0, 0, 0, 1)).max() > SMALL:
         return "The last row of a pose is 0, 0, 0, 1: here it is not."
     R = A[:3, :3]
@@ -85,12 +99,12 @@ def _off(came: Floats, wanted: Floats) -> str:
 def _no_rotation(R: Floats) -> str:
     lengths = np.linalg.norm(R, axis=0)
     for k in range(3):
-        if abs(lengths[k] - 1) > 1e-5:
+        if abs(lengths[k] - 1) > SKEW:
             than = "longer" if lengths[k] > 1 else "shorter"
             return f"This is no rotation matrix: its {'xyz'[k]} column is {than} than 1."
     gram = R.T @ R
     for i, j in ((0, 1), (0, 2), (1, 2)):
-        if abs(gram[i, j]) > 1e-5:
+        if abs(gram[i, j]) > SKEW:
             return (
                 f"This is no rotation matrix: the {'xyz'[i]} and the {'xyz'[j]} column are not "
                 "perpendicular."
@@ -115,6 +129,6 @@ def _axis_name(axis: Floats) -> str:
 
 def _along(shift: Floats) -> str:
     k = int(np.abs(shift).argmax())
-    if np.abs(np.delete(shift, k)).max() < 1e-6 * (1 + abs(shift[k])):
+    if np.abs(np.delete(shift, k)).max() < SMALL * (1 + abs(shift[k])):
         return f"along {'xyz'[k]} alone"
     return f"most of it along {'xyz'[k]}"

@@ -12,7 +12,7 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 
-from dhlab.diagnosis.values import TOLERANCE, Floats, Unreadable, close
+from dhlab.diagnosis.values import EXACT, TOLERANCE, Floats, Unreadable, close
 from dhlab.diagnosis.verdict import Case, Mistake, Verdict
 
 M = TypeVar("M")
@@ -20,11 +20,11 @@ M = TypeVar("M")
 ALTERNATIVES = 6
 """More explanations than these explain nothing."""
 
-ROUNDED = 2e-4
-"""An answer as near as this is the right one, but for 3.1416 or 0.707 in it."""
+COARSE = 10
+"""An answer within so many tolerances is the right one, but for 3.14 or 0.707 in it."""
 
 NOTHING = Verdict(False, "There is no answer to judge.")
-NEARLY = "Nearly: some number is rounded too far. Which value of pi, or which root, is used?"
+NEARLY = "Nearly: is some number rounded too far, such as pi or a root? Keep all its digits."
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,8 @@ class Slip(Generic[M]):
     """One misconception: its name, and what it does to a model.
 
     One that is `alone` is not looked for together with another: it is a slip of the pen, and with
-    any other would explain too much.
+    any other would explain too much. It is named with another one only beside a pair that does
+    the same.
     """
 
     mistake: Mistake
@@ -42,6 +43,7 @@ class Slip(Generic[M]):
 
 Evaluate = Callable[[Sequence[M]], Sequence[Floats]]
 Explanation = tuple[Mistake, ...]
+Chained = tuple[Slip[M], ...]
 
 
 def explain(
@@ -51,7 +53,7 @@ def explain(
     evaluate: Evaluate[M],
     tolerance: float = TOLERANCE,
 ) -> list[Explanation]:
-    """Find the fewest slips that give the values that came.
+    """Find the fewest slips that give the values that came; single ones also where it is rounded.
 
     Parameters
     ----------
@@ -63,6 +65,7 @@ def explain(
     evaluate : callable
         From several models to their values.
     tolerance : float
+        Room for rounding.
 
     Returns
     -------
@@ -72,17 +75,24 @@ def explain(
     right = evaluate(models)
     telling = int(np.argmax([_distance(v, r) for v, r in zip(values, right, strict=True)]))
     order = [telling, *(k for k in range(len(models)) if k != telling)]
-    for chains in (_singles(slips), _pairs(slips)):
-        left = chains
+
+    def fitting(chains: Sequence[Chained[M]], room: float = EXACT) -> Sequence[Chained[M]]:
         for k in order:
-            if not left:
+            if not chains:
                 break
-            made = np.array(evaluate(_all_changed(models[k], left)))
-            fits = np.abs(made - values[k]) <= tolerance * (1 + np.abs(made))
-            left = [left[i] for i in np.flatnonzero(fits.reshape(len(left), -1).all(axis=1))]
-        if left:
-            return unique(tuple(s.mistake for s in chain) for chain in left)
-    return []
+            made = np.array(evaluate(_all_changed(models[k], chains)))
+            near = np.abs(made - values[k]) <= room * (1 + np.abs(made))
+            fits = np.flatnonzero(near.reshape(len(chains), -1).all(axis=1))
+            chains = [chains[i] for i in fits.tolist()]
+        return chains
+
+    singles = [(s,) for s in slips]
+    found: Sequence[Chained[M]] = fitting(singles)
+    if not found and not _tells_little(values, right):
+        found = fitting(_pairs(slips))
+        found = [*found, *(fitting(_pairs_of_the_pen(slips)) if found else ())]
+    found = found or fitting(singles, tolerance)
+    return unique(tuple(s.mistake for s in chain) for chain in found)
 
 
 def judge_arrays(
@@ -109,6 +119,7 @@ def judge_arrays(
     seen : callable
         From what came and what is wanted to a sentence.
     tolerance : float
+        How far a number may be from the right one: room for rounding.
     """
     if not cases:
         return NOTHING
@@ -125,7 +136,7 @@ def judge_arrays(
     if not wrong:
         return Verdict(True, "")
     explanations = explain(models, came, slips, evaluate, tolerance)
-    if not explanations and all(close(*pair, ROUNDED) for pair in wrong):
+    if not explanations and all(close(*pair, COARSE * tolerance) for pair in wrong):
         return Verdict(False, NEARLY)
     return verdict_of(seen(*wrong[0]) + how_many(len(wrong), len(cases)), explanations)
 
@@ -146,15 +157,21 @@ def verdict_of(seen: str, explanations: Sequence[Explanation]) -> Verdict:
     return Verdict(False, seen, mistakes, tuple(explanations) if len(explanations) > 1 else ())
 
 
-def _singles(slips: Sequence[Slip[M]]) -> list[tuple[Slip[M], ...]]:
-    return [(s,) for s in slips]
+def _pairs(slips: Sequence[Slip[M]]) -> list[Chained[M]]:
+    pairs = combinations([s for s in slips if not s.alone], 2)
+    return [pair for pair in pairs if not all(map(_mirrors, pair))]
 
 
-def _pairs(slips: Sequence[Slip[M]]) -> list[tuple[Slip[M], ...]]:
-    return list(combinations([s for s in slips if not s.alone], 2))
+def _pairs_of_the_pen(slips: Sequence[Slip[M]]) -> list[Chained[M]]:
+    return [pair for pair in combinations(slips, 2) if any(s.alone for s in pair)]
 
 
-def _all_changed(model: M, chains: Sequence[tuple[Slip[M], ...]]) -> list[M]:
+def _mirrors(slip: Slip[M]) -> bool:
+    """Whether an axis is turned round; two of them make a right-handed frame again."""
+    return slip.mistake.key.startswith("left-handed")
+
+
+def _all_changed(model: M, chains: Sequence[Chained[M]]) -> list[M]:
     """What each chain of slips makes of a model; what they begin with in common is made once."""
     once: dict[int, M] = {}
     out = []
@@ -166,6 +183,14 @@ def _all_changed(model: M, chains: Sequence[tuple[Slip[M], ...]]) -> list[M]:
             changed = slip.change(changed)
         out.append(changed)
     return out
+
+
+def _tells_little(values: Sequence[Floats], right: Sequence[Floats]) -> bool:
+    """Whether two or less numbers are wrong, or one in all cases: no two slips are told by them."""
+    if any(v.shape != right[0].shape for v in (*values, *right)):
+        return False
+    off = [np.abs(v - r) > EXACT * (1 + np.abs(r)) for v, r in zip(values, right, strict=True)]
+    return int(np.any(off, axis=0).sum()) == 1 or int(np.sum(off)) < 3
 
 
 def _distance(a: Floats, b: Floats) -> float:

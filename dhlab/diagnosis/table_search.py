@@ -1,7 +1,7 @@
 """The search for what went wrong in a table, up to every choice that a right table may make."""
 
-from collections.abc import Callable, Iterator, Sequence
-from itertools import product
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from itertools import combinations, product
 from typing import TypeAlias
 
 import numpy as np
@@ -44,23 +44,55 @@ def explain_table(
     found = [*_fitting(singles, wanted, came, matches)]
     if matches(wanted, other):
         found.append((convention,))
-    if found:
+    if found or _is_one_number(wanted, came):
         return unique(found)
     together = [single for single, slip in zip(singles, slips, strict=True) if not slip.alone]
     with_convention = [
         ((convention, *e), wrong) for e, wrong in together if not _moves_columns(e[0].key)
     ]
-    others = [slip for slip in slips if not slip.alone]
     pairs = [
-        ((*first, second.mistake), second.change(wrong))
-        for k, (first, wrong) in enumerate(together)
-        for second in others[k + 1 :]
+        pair
+        for pair in combinations([slip for slip in slips if not slip.alone], 2)
+        if not all(slip.mistake.key.startswith(("shifted-", "columns-")) for slip in pair)
     ]
     found = [
         *_fitting(with_convention, wanted, other, matches),
-        *_fitting(pairs, wanted, came, matches),
+        *_fitting(_made(model, pairs), wanted, came, matches),
     ]
-    return unique(found)
+    named = {m.key for explanation in found for m in explanation}
+    beside = [pair for pair in combinations(slips, 2) if _does_the_same(pair, named)]
+    return unique([*found, *_fitting(_made(model, beside), wanted, came, matches)])
+
+
+def _made(
+    model: Table, pairs: Iterable[tuple[Slip[Table], Slip[Table]]]
+) -> list[tuple[Explanation, Table]]:
+    """Tables that pairs of slips make."""
+    once: dict[int, Table] = {}
+    made: list[tuple[Explanation, Table]] = []
+    for first, second in pairs:
+        if id(first) not in once:
+            once[id(first)] = first.change(model)
+        made.append(((first.mistake, second.mistake), second.change(once[id(first)])))
+    return made
+
+
+def _does_the_same(pair: tuple[Slip[Table], Slip[Table]], named: Collection[str]) -> bool:
+    """Whether a slip of the pen may do, beside one that is named, what another one does."""
+    one, other = pair
+    return (one.alone and other.mistake.key in named) or (other.alone and one.mistake.key in named)
+
+
+def _is_one_number(wanted: Chain, came: Chain) -> bool:
+    """Whether one number alone of the table is another: too little to tell two slips by."""
+    ends = (came.base, wanted.base), (came.grasper, wanted.grasper), (came.offset, wanted.offset)
+    alike = all(np.allclose(one, other, atol=NEAR) for one, other in ends)
+    if came.convention != wanted.convention or not alike:
+        return False
+    off = np.abs(np.subtract(came.rows, wanted.rows)) > NEAR
+    for i, kind in enumerate(wanted.kinds):
+        off[i, 3 if kind == "r" else 2] = False
+    return int(off.sum()) == 1
 
 
 def _moves_columns(key: str) -> bool:

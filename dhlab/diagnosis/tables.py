@@ -7,13 +7,16 @@ from typing import Any
 import numpy as np
 
 from dhlab.diagnosis.chain_slips import table_slips
-from dhlab.diagnosis.gauge import Match, match
+from dhlab.diagnosis.gauge import TOLERANCE, Match, match
 from dhlab.diagnosis.reading import read_chain
-from dhlab.diagnosis.slips import NOTHING, verdict_of
+from dhlab.diagnosis.slips import NEARLY, NOTHING, verdict_of
 from dhlab.diagnosis.table_search import explain_table, invariants, joint_counts
 from dhlab.diagnosis.values import Unreadable
 from dhlab.diagnosis.verdict import Case, Verdict, mistake
 from dhlab.kinematics.chain import Chain
+
+ROUNDED = 1e-3
+"""A table whose axes lie as near as this is the right one, but for 3.14 or 1.571 in it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,11 +80,14 @@ class TableTask:
         found = self._match(self.chain, came)
         if found is not None:
             return Verdict(True, choice(found))
-        slips = table_slips(self.chain)
-        return verdict_of(self._seen(came), explain_table(self.chain, came, slips, self._matches))
+        explanations = explain_table(self.chain, came, table_slips(self.chain), self._matches)
+        if not explanations and self._match(self.chain, came, ROUNDED) is not None:
+            return Verdict(False, NEARLY)
+        return verdict_of(self._seen(came), explanations)
 
-    def _match(self, wanted: Chain, came: Chain) -> Match | None:
-        return match(wanted, came, self.base_free, self.tool_free, self.zero_free)
+    def _match(self, wanted: Chain, came: Chain, tolerance: float = TOLERANCE) -> Match | None:
+        free = self.base_free, self.tool_free, self.zero_free
+        return match(wanted, came, *free, tolerance=tolerance)
 
     def _matches(self, wanted: Chain, came: Chain) -> bool:
         return self._match(wanted, came) is not None

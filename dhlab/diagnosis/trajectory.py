@@ -44,6 +44,7 @@ class TrajectoryTask:
     counted : {'from 0', 'from start'}
         Which time the coefficients are for; other answers do not depend on it.
     tolerance : float
+        Of a coefficient: of what it gives at the end, where the motion is longer than 1 s.
 
     Examples
     --------
@@ -105,16 +106,21 @@ class TrajectoryTask:
     def _judge(
         self, cases: Sequence[Case], models: Sequence[Motion], wanted: Sequence[Floats]
     ) -> Verdict:
-        shapes = iter([w.shape for w in wanted])
+        asked = iter([(w.shape, m.weights) for w, m in zip(wanted, models, strict=True)])
 
         def read(value: Any) -> Floats:
-            return _read(value, next(shapes))
+            shape, weights = next(asked)
+            return weights * _read(value, shape)
+
+        def evaluate(motions: Sequence[Motion]) -> list[Floats]:
+            made = zip(motions, evaluate_motions(motions), strict=True)
+            return [m.weights * value for m, value in made]
 
         def seen(came: Floats, wanted: Floats) -> str:
             return _seen(came, wanted, self.answer, self.tolerance)
 
         slips = motion_slips(models[0])
-        return judge_arrays(cases, models, slips, evaluate_motions, read, seen, self.tolerance)
+        return judge_arrays(cases, models, slips, evaluate, read, seen, self.tolerance)
 
     def _model(self, inputs: Sequence[Any]) -> Motion:
         given = {k: v(*inputs) if callable(v) else v for k, v in self.values.items()}
@@ -127,9 +133,11 @@ class TrajectoryTask:
         if end <= start:
             raise InputError(f"end must come after start {start:g} s, got {end:g}")
         clock = start
-        at = np.zeros(1)
+        at, weights = np.zeros(1), np.ones((1, 1))
         if self.answer == "coefficients":
             clock = 0.0 if self.counted == "from 0" else start
+            longest = max(1.0, abs(start - clock), abs(end - clock))
+            weights = longest ** np.arange(self.degree, -1.0, -1)[:, None]
         else:
             instants = self.at(*inputs) if callable(self.at) else self.at
             at = np.atleast_1d(as_array(instants, (...,), "instants"))
@@ -144,6 +152,7 @@ class TrajectoryTask:
             degree=self.degree,
             answer=self.answer,
             clock=clock,
+            weights=weights,
         )
 
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from dhlab.arrays import as_array
 from dhlab.diagnosis.seen import rotation_seen
-from dhlab.diagnosis.slips import NEARLY, NOTHING, ROUNDED, Slip, explain, how_many, verdict_of
+from dhlab.diagnosis.slips import COARSE, NEARLY, NOTHING, Slip, explain, how_many, verdict_of
 from dhlab.diagnosis.values import TOLERANCE, Floats, Unreadable, close, numbers
 from dhlab.diagnosis.verdict import Case, Verdict, mistake
 from dhlab.errors import InputError
@@ -69,8 +69,10 @@ class AnglesTask:
         wrong = [k for k, pair in enumerate(pairs) if not close(*pair, self.tolerance)]
         if not wrong:
             return Verdict(True, _choice(came, wanted))
-        explanations = explain(came, wanted, triple_slips(self.kind), evaluate_triples)
-        if not explanations and all(close(*pairs[k], ROUNDED) for k in wrong):
+        explanations = explain(
+            came, wanted, triple_slips(self.kind), evaluate_triples, self.tolerance
+        )
+        if not explanations and all(close(*pairs[k], COARSE * self.tolerance) for k in wrong):
             return Verdict(False, NEARLY)
         seen = rotation_seen(*pairs[wrong[0]], "the rotation that your angles make")
         return verdict_of(seen + how_many(len(wrong), len(cases)), explanations)

@@ -14,7 +14,11 @@ Floats: TypeAlias = NDArray[np.float64]
 HUGE = 1e12
 """Numbers beyond this are not compared any more: nothing in an exercise is as large."""
 
-TOLERANCE = 1e-6
+TOLERANCE = 1e-4
+"""An answer as near as this is right: numbers with four digits behind the point."""
+
+EXACT = 1e-6
+"""What a mistake gives must be as near as this to what came."""
 
 
 class Unreadable(Exception):

@@ -38,6 +38,7 @@ def test_each_mistake_in_a_product_is_named(about):
 def test_random_pairs_of_mistakes_are_named_or_explained_by_fewer():
     task = MatrixTask(*FACTORS)
     slips = product_slips(task._model(INPUTS[0]).moves, None, rotation=False)
+    slips = [s for s in slips if not s.alone]
     rng, named, tried = np.random.default_rng(1), 0, 0
     for _ in range(60):
         i, j = sorted(rng.choice(len(slips), 2, replace=False))

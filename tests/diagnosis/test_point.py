@@ -42,7 +42,7 @@ def test_mistakes_with_points_are_named(direction, made, tally):
     rng, asked = np.random.default_rng(made), task(direction)
     for _ in range(250 // made):
         inputs = random_inputs(rng)
-        slips = point_slips(asked._model(inputs[0]))
+        slips = [s for s in point_slips(asked._model(inputs[0])) if made == 1 or not s.alone]
         chosen = [slips[k] for k in sorted(rng.choice(len(slips), made, replace=False))]
         cases = []
         for case in inputs:
@@ -72,3 +72,9 @@ def test_only_given_poses_can_be_inverted():
         inverse_of(turn("x", 1))
     with pytest.raises(InputError, match="at least one factor"):
         PointTask(point=(0, 0, 0))
+
+
+def test_an_angle_that_is_counted_from_the_ground_is_named(keys):
+    asked = PointTask(turn("z", 0.4), slide((0.7, 0, 0)), turn("z", 0.9), point=(0.3, 0, 0))
+    links = [length * np.array([np.cos(q), np.sin(q), 0]) for length, q in ((0.7, 0.4), (0.3, 0.9))]
+    assert keys(asked.judge([((), sum(links))])) == [{"from-start-3"}]

@@ -142,7 +142,8 @@ def test_which_right_table_it_is_is_said():
         ({"rows": [[0, 0, 0, 0]] * 2, "convention": [1]}, "neither 'modified' nor"),
         ({"rows": [[0, 0, 0, 0]] * 2, "base": np.ones((4, 4))}, "The base is no pose"),
         ({"rows": [[0, 0, 0, 0]] * 2, "offset": [1, 2, 3]}, "The offset has shape"),
-        ({"joints": "rr"}, "The table is None"),
+        ({"joints": "rr"}, "asked for by its rows"),
+        ({"alpha": [0, 0], "a": [1, 1]}, "asked for by its rows"),
     ],
 )
 def test_what_is_no_table_gets_a_sentence(table, sentence):

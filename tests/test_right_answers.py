@@ -1,5 +1,6 @@
 """Exercises with more than one right answer: what the solution does not choose is right too."""
 
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,8 @@ import pytest
 from dhlab import csys, deg, dh, robot, robot_complex, rotx, rp2t
 from dhlab.grading.exercise import load_exercise
 from dhlab.grading.judge import judge
+from dhlab.grading.proof import Source
+from dhlab.grading.trial import for_student, run_cells
 from dhlab.grading.tried import values_of
 
 ROOT = Path(__file__).parents[1]
@@ -117,3 +120,57 @@ def test_a_hand_whose_fingers_are_named_and_bent_as_the_student_likes():
         return robot_complex(*fingers, name="mine")
 
     assert said("14_hand", "hand", hand).text == "Right."
+
+
+PLAIN = {  # questions whose answer is made of numbers, and what is right for them
+    "01_rotation_matrices": ("rot_z", "rot_y", "R_AB"),
+    "02_sequences": ("R_moving", "R_fixed", "wheel"),
+    "03_transforms": ("T_AB", "to_A", "inverse_pose"),
+    "04_detour": ("T_HP", "camera_pose"),
+    "05_roll_pitch_yaw": ("rpy_matrix", "rpy_angles", "attitude"),
+    "06_chain_by_hand": ("tip", "arm_pose"),
+    "07_dh_link": ("dh_link", "T_own"),
+    "08_planar_table": ("table", "table_upright"),
+    "10_six_axes": ("arm_table", "table"),
+    "11_two_conventions": ("to_modified", "behind", "to_standard"),
+    "12_base_tool_offset": ("base", "tool"),
+    "13_finger": ("finger_tip", "thumb_in_hand"),
+    "15_cubic": ("cubic", "position", "velocity"),
+}
+FORMS = {
+    "lists": lambda x: np.asarray(x).tolist(),
+    "rows as arrays": lambda x: tuple(np.asarray(x)),
+    "single precision": lambda x: np.asarray(x, np.float32),
+    "a matrix of numpy's": np.matrix,
+    "five digits": lambda x: np.round(x, 5),
+    "numbers of every kind": lambda x: np.asarray(x, object),
+    "fractions": lambda x: np.vectorize(Fraction, otypes=[object])(np.asarray(x, float)),
+    "arrays of one number": lambda x: np.vectorize(np.array, otypes=[object])(x).tolist(),
+    "a column": lambda x: np.reshape(x, (-1, 1)) if np.ndim(x) == 1 else x,
+    "complex without an imaginary part": lambda x: np.asarray(x) + 0j,
+}
+
+
+@pytest.fixture(scope="module", params=PLAIN)
+def solved(request):
+    """An exercise, what its notebook leaves when it is solved, and its questions by name."""
+    source = Source(ROOT / "exercises" / request.param)
+    left = run_cells(for_student(source.solved, "Ada Lovelace"))
+    questions = source.exercise.questions(source.exercise.numbers("Ada Lovelace", "dhlab"))
+    return {q.name: (q, left[q.name]) for q in questions if q.name in PLAIN[request.param]}
+
+
+@pytest.mark.filterwarnings("ignore:the matrix subclass:PendingDeprecationWarning")
+@pytest.mark.parametrize("form", FORMS)
+def test_an_answer_is_right_whatever_its_numbers_are_made_of(solved, form):
+    assert solved
+    change = FORMS[form]
+    for question, answer in solved.values():
+        if question.kind == "csys":
+            answer = answer.pose
+        if question.name == "cubic" and form == "five digits":
+            continue  # of t^3, and 3 s later that is a degree
+        came = (lambda *x, f=answer: change(f(*x))) if question.is_function else change(answer)
+        cases = question.cases(np.random.default_rng(5))
+        judged = judge(question, values_of(question, came, cases))
+        assert judged.right, f"{question.name}: {judged.text}"

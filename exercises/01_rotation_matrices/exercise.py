@@ -30,8 +30,8 @@ given = check.numbers(STUDENT)
 # %% about-z [markdown]
 # ## 1. A turn about $z$ (2 points)
 #
-# {B} has turned about $z_A$ by $50°$. Drag the picture until you look along $z$: how far along
-# $x_A$ and along $y_A$ does the red axis $x_B$ reach now?
+# {B} has turned about $z_A$ by $50°$. Drag the picture until you look down on it, with $z$ towards
+# you: how far along $x_A$ and along $y_A$ does the red axis $x_B$ reach now?
 
 # %% about-z-picture
 show(*check.picture("about z"), height=360)

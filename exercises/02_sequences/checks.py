@@ -11,8 +11,9 @@ STEP = 1.7
 
 
 def numbers(rng):
-    """Three angles in degrees, none of them special."""
-    return {name: int(rng.choice([-1, 1]) * rng.choice([25, 35, 40, 50, 55, 65])) for name in "abc"}
+    """Three angles in degrees: none is special, and no two are equal or make a right angle."""
+    angles = rng.choice([20, 25, 35, 75, 80], 3, replace=False) * rng.choice([-1, 1], 3)
+    return dict(zip("abc", angles.tolist(), strict=True))
 
 
 def questions(given):

@@ -80,9 +80,10 @@ check.show(yours_fixed, R_fixed)
 # %% wheel [markdown]
 # ## 3. The wheel of a bicycle (3 points)
 #
-# The frame {W} sits in the wheel, its $y$ axis along the axle, its $x$ axis forward. The wheel has
-# turned about its axle by `spin`. The bicycle leans about its forward axis by `lean`. And it rides
-# in a direction that is turned by `heading` about the vertical $z_A$.
+# The frame {W} sits in the wheel, its $y$ axis along the axle. With all angles 0 it is as {A}: $x$
+# forward, $y$ to the left, $z$ up. The bicycle rides in a direction that is turned by `heading`
+# about the vertical $z_A$. It leans by `lean` about the axis that points forward, along the ground.
+# And the wheel has turned about its axle by `spin`. All angles count about $z$, $x$ and $y$.
 #
 # The picture has a heading of 40°, a lean of −20° and a spin of 60°.
 
@@ -90,8 +91,8 @@ check.show(yours_fixed, R_fixed)
 show(*check.picture("wheel"), height=420)
 
 # %% wheel-task [markdown]
-# Write `wheel`: from the three angles in radians to $R_{AW}$. Which of them would change when the
-# rider only turns the handlebar? Which axes would that carry along?
+# Write `wheel`: from the three angles in radians to $R_{AW}$. When only the heading changes, which
+# axes does that carry along? And when only the wheel spins?
 
 # %% wheel-answer
 def wheel(heading, lean, spin):

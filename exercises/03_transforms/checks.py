@@ -20,7 +20,7 @@ def numbers(rng):
         "x": int(rng.integers(6, 13)) / 10,
         "y": int(rng.integers(4, 10)) / 10,
         "z": int(rng.integers(2, 6)) / 10,
-        "angle": int(rng.integers(4, 14) * 5),
+        "angle": int(rng.choice([20, 25, 35, 55, 65])),
     }
 
 

@@ -14,10 +14,10 @@ def numbers(rng):
     def off(*middle):
         return (np.array(middle) + rng.integers(-2, 3, 3) * 0.05).round(2)
 
-    turns = rng.integers(2, 8, 3) * 10
-    table = rp2t(rotz(turns[0] * deg), off(0.8, 0.3, 0.2))
-    part = rp2t(rotz(-turns[1] * deg), off(0.15, -0.1, 0.15))
-    hand = rp2t(rotz(turns[2] * deg) @ rotx(150 * deg), off(0.4, -0.3, 0.9))
+    turns = rng.choice([20, 30, 45, 55, 65, 75], 3, replace=False) * deg  # no two undo each other
+    table = rp2t(rotz(turns[0]), off(0.8, 0.3, 0.2))
+    part = rp2t(rotz(-turns[1]), off(0.15, -0.1, 0.15))
+    hand = rp2t(rotz(turns[2]) @ rotx(150 * deg), off(0.4, -0.3, 0.9))
     return {"T_RT": table.tolist(), "T_TP": part.tolist(), "T_RH": hand.tolist()}
 
 
@@ -75,8 +75,9 @@ def pictures(given):
     foot = cuboid(0.25, 0.25, 0.1, name="foot", color="#9aa5b1")
     table = cuboid(0.7, 0.5, 0.04, name="table", color="#d8c3a5", opacity=0.7)
     table.move(T_RT @ rp2t(np.eye(3), (0.15, -0.05, -0.04)))
-    part = cuboid(0.12, 0.08, 0.15, name="part", color="#8fb7d9", opacity=0.7)
-    part.move(T_RP @ rp2t(np.eye(3), (0, 0, -0.15)))
+    height = T_TP[2, 3]  # {P} is on top of the part, which stands on the table
+    part = cuboid(0.12, 0.08, height, name="part", color="#8fb7d9", opacity=0.7)
+    part.move(T_RP @ rp2t(np.eye(3), (0, 0, -height)))
     hand = cone(0.05, 0.12, name="hand", color="#9aa5b1", opacity=0.8)
     hand.move(T_RH @ rp2t(np.eye(3), (0, 0, -0.06)))
     scene = [foot, table, part, hand]

@@ -26,7 +26,7 @@ T_RT, T_TP, T_RH = (np.array(given[name]) for name in ("T_RT", "T_TP", "T_RH"))
 
 # %% cell [markdown]
 # A robot stands in {R}. Three poses are known: the table in the robot's base, $T_{RT}$; the part on
-# the table, $T_{TP}$; and the hand in the robot's base, $T_{RH}$.
+# the table, $T_{TP}$, with {P} on the top of it; and the hand in the robot's base, $T_{RH}$.
 
 # %% cell-picture
 show(*check.picture("cell"), height=460)
@@ -59,7 +59,8 @@ check.show(with_things, drawing)
 # %% hand [markdown]
 # ## 2. Against an arrow (2 points)
 #
-# The hand must grasp the part. Where is it, seen from the hand? Give $T_{HP}$. `inverse` is there.
+# The hand must grasp the part. Where is the part, seen from the hand? Give $T_{HP}$. `inverse` is
+# there.
 
 # %% hand-answer
 ### BEGIN SOLUTION

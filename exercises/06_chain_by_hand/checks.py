@@ -8,11 +8,11 @@ from dhlab.grading import Question
 
 
 def numbers(rng):
-    """Lengths of an arm [m] and a configuration [deg]."""
+    """Lengths of an arm [m] and a configuration [deg] in which no mistake looks like another."""
     return {
         "l1": int(rng.integers(6, 11)) / 10,
         "l2": int(rng.integers(3, 6)) / 10,
-        "q": [int(rng.integers(4, 12) * 5), int(rng.integers(5, 14) * 5)],
+        "q": [int(rng.choice([20, 25, 28, 35])), int(rng.choice([37, 52, 57, 73]))],
     }
 
 

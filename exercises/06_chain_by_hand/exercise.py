@@ -60,9 +60,8 @@ check.show(yours_tip, tip)
 # %% pose [markdown]
 # ## 2. The whole pose, as a product (4 points)
 #
-# Write `arm_pose`: from $q = (q_1, q_2)$ in radians to the pose of the tip in {0}, shape (4, 4):
-# its
-# $x$ axis goes along the last link. `rp2t`, `rotz` and `transl` are there, and `l1`, `l2` above.
+# Write `arm_pose`: from $q = (q_1, q_2)$ in radians to the pose of the tip in {0}, shape (4, 4).
+# Its $x$ axis goes along the last link. `rp2t`, `rotz` and `transl` are there, `l1` and `l2` too.
 
 # %% arm-pose
 def arm_pose(q):

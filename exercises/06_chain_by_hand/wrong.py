@@ -9,7 +9,7 @@ tip = [l1 * cos(q1) + l2 * cos(q1 + q2), l1 * sin(q1) + l2 * sin(q1 + q2), 0]
 q1, q2 = np.radians(given["q"])
 tip = [l1 + l2 * cos(q2), l2 * sin(q2), 0]
 
-# %% tip: the point is
+# %% tip: counted from where the ones before it began
 q1, q2 = np.radians(given["q"])
 tip = [l1 * cos(q1) + l2 * cos(q2), l1 * sin(q1) + l2 * sin(q2), 0]
 

@@ -8,12 +8,13 @@ from dhlab.grading import Question
 
 
 def numbers(rng):
-    """A row as a data sheet has it: degrees and millimetres."""
+    """A row as a data sheet has it: degrees and millimetres, and no two numbers are alike."""
+    alpha, theta = rng.choice([20, 25, 35, 75, 80], 2, replace=False) * rng.choice([-1, 1], 2)
     return {
-        "alpha": int(rng.choice([-1, 1]) * rng.integers(5, 15) * 5),
+        "alpha": int(alpha),
         "a": int(rng.integers(5, 12) * 50),
-        "d": int(rng.integers(5, 12) * 40 + 10),
-        "theta": int(rng.choice([-1, 1]) * rng.integers(5, 15) * 5),
+        "d": int(rng.integers(5, 12) * 40 + 35),
+        "theta": int(theta),
     }
 
 

@@ -67,7 +67,7 @@ check.show(yours_flat, table)
 # %% upright [markdown]
 # ## 2. The same arm upright (2 points)
 #
-# The same arm is turned over: now it moves in the plane of $x_0$ and $z_0$. Its axes are level and
+# The same arm is set upright: now it moves in the plane of $x_0$ and $z_0$. Its axes are level and
 # as far from each other as before.
 
 # %% upright-picture

@@ -14,9 +14,9 @@ def numbers(rng):
     """Lengths of the arm: upper arm, step sideways, step at the elbow, forearm."""
     return {
         "upper": rng.choice([0.4, 0.42, 0.44, 0.46, 0.48]),
-        "aside": rng.choice([0.17, 0.18, 0.19, 0.21]),
+        "aside": rng.choice([0.16, 0.17, 0.18, 0.19]),
         "step": rng.choice([0.11, 0.12, 0.13, 0.14]),
-        "fore": rng.choice([0.36, 0.39, 0.41, 0.43]),
+        "fore": rng.choice([0.37, 0.39, 0.41, 0.43]),
     }
 
 

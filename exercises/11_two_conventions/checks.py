@@ -13,7 +13,7 @@ def numbers(rng):
     d1, a2, a3, d, a, b = lengths
     twist = int(rng.choice([-90, 90]))
     return {
-        "standard": [[twist, 0.1, d1, 0], [0, a2, 0, 40], [60, a3, 0, -30]],
+        "standard": [[twist, 0.1, d1, 0], [0, a2, 0, 40], [55, a3, 0, -30]],
         "modified": [[-twist, 0, 0, 30], [0, a, d, 50], [90, b, 0, 20]],
     }
 

@@ -72,8 +72,9 @@ check.show(yours_first, to_modified)
 #
 # Two numbers of the standard table are in no row of the modified one: $\alpha_3$ and $a_3$ belong
 # to the link behind the last joint. So they go into the grasper: write `behind`, the pose of the
-# *standard* frame 3 in the *modified* frame 3, an array of shape (4, 4). `rotx(angle)` is a
-# rotation about $x$, `rp2t(R, p)` the pose of a rotation and an origin.
+# *standard* frame 3 in the *modified* frame 3, an array of shape (4, 4). Whatever $z$ you chose in
+# part 1, take the modified frame 3 here whose rows have $\theta_i$ and $d_i$ as they stand above.
+# `rotx(angle)` is a rotation about $x$, `rp2t(R, p)` the pose of a rotation and an origin.
 
 # %% behind-answer
 ### BEGIN SOLUTION

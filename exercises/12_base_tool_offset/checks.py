@@ -13,12 +13,12 @@ UP = np.array([0, 0, 0.05])
 def numbers(rng):
     """Where the arm stands, how it is turned, and its tool."""
     return {
-        "x": float(rng.choice([0.4, 0.5, 0.6, 0.7])),
-        "y": float(rng.choice([-0.4, -0.3, 0.2, 0.35])),
+        "x": float(rng.choice([0.4, 0.5, 0.58, 0.68])),
+        "y": float(rng.choice([-0.45, -0.3, 0.2, 0.35])),
         "bench": float(rng.choice([0.55, 0.6, 0.65, 0.7])),
-        "turn": int(rng.choice([90, -90, 60, 120])),
+        "turn": int(rng.choice([80, -75, 105, -105])),
         "tool": float(rng.choice([0.12, 0.14, 0.16])),
-        "tilt": int(rng.choice([30, 45, 60])),
+        "tilt": int(rng.choice([25, 35, 55])),
     }
 
 

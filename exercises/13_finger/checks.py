@@ -13,8 +13,8 @@ THUMB = models.thumb().own.chain
 
 
 def numbers(rng):
-    """Lengths of the finger's three bones, in millimetres."""
-    low = [44, 28, 22]
+    """Lengths of the finger's three bones, in millimetres: no two are equal."""
+    low = [44, 31, 19]
     return {name: int(n) for name, n in zip("abc", low + rng.integers(0, 12, 3), strict=True)}
 
 

@@ -105,7 +105,15 @@ def slide(vector: ArrayLike | Callable[..., ArrayLike]) -> Factor:
     Parameters
     ----------
     vector : array_like, shape (3,), or callable [m]
-        Numbers, or what gives them from the inputs: ``lambda p: p``.
+        Numbers, or one function of all inputs that gives the three: ``lambda p: p``.
+
+    Examples
+    --------
+    >>> from dhlab.diagnosis import MatrixTask, turn
+    >>> from dhlab.kinematics.transforms import rotz, rp2t
+    >>> lift = MatrixTask(slide(lambda h, pan: (0, 0, h)), turn("z", lambda h, pan: pan))
+    >>> lift.judge([((0.4, 0.3), rp2t(rotz(0.3), (0, 0, 0.4)))]).right
+    True
     """
     return Factor("slide", "", vector)
 

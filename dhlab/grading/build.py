@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from dhlab.errors import DhlabError
+from dhlab.errors import DhlabError, InputError
 from dhlab.grading.check import opened
 from dhlab.grading.proof import SOURCE, Source, prove
 from dhlab.grading.source import notebook_text
@@ -46,8 +46,8 @@ def build(folder: Path) -> Built:
     Raises
     ------
     DhlabError
-        The exercise is not fit to be released: the message says why, with file and line. Then
-        nothing is written.
+        The exercise is not fit to be released: the message has a line for each problem, with file
+        and line. Then nothing is written.
     """
     source = Source(folder)
     prove(source)
@@ -98,8 +98,13 @@ def begin(folder: Path, like: Path) -> Path:
     Raises
     ------
     DhlabError
-        `folder` exists, or `like` is no exercise.
+        `folder` exists or cannot be the name of an exercise, or `like` is no exercise.
     """
+    if not re.fullmatch(r"[\w-]+", folder.name):
+        raise InputError(
+            f"{str(folder)!r} cannot be an exercise: its name is that of the notebook, and made of "
+            "letters, digits, '_' and '-', such as 12_my_arm"
+        )
     texts = [path for path in sorted(like.glob("*.py")) if path.is_file()]
     if SOURCE not in [path.name for path in texts]:
         raise DhlabError(f"{like} is no exercise: there is no {SOURCE} in it")

@@ -10,6 +10,7 @@ from dhlab.grading.inside.plain import LINE
 from dhlab.grading.question import Question
 
 RIGHT, WRONG, UNJUDGED = "right", "wrong", "not judged"
+CANNOT, ASK_INSTRUCTOR = "This answer could not be judged", "Please tell your instructor."
 SENTENCES = {
     "missing": "There is no `{name}` in this notebook.",
     "stub": "Nothing is there yet.",
@@ -89,8 +90,7 @@ def judge(question: Question, cases: Sequence[tuple[tuple[Any, ...], Any]]) -> J
         verdict = question.task.judge(cases)
     except Exception as error:
         what = f"{type(error).__name__}: {error}"[:200]
-        text = f"This answer could not be judged ({what}). Please tell your instructor."
-        return _zero(question, UNJUDGED, text)
+        return _zero(question, UNJUDGED, f"{CANNOT} ({what}). {ASK_INSTRUCTOR}")
     if verdict.right:
         text = f"Right. {verdict.text}".rstrip()
         return Judged(question.name, question.points, question.points, True, RIGHT, text)

@@ -2,7 +2,7 @@
 
 import re
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,15 +12,16 @@ from dhlab.errors import DhlabError
 from dhlab.grading.asked import NoValue
 from dhlab.grading.check import packed
 from dhlab.grading.exercise import Exercise, load_exercise
-from dhlab.grading.judge import Judged, judge
+from dhlab.grading.judge import ASK_INSTRUCTOR, CANNOT, UNJUDGED, Judged, judge
+from dhlab.grading.promised import check_problems, given_away, point_problems
 from dhlab.grading.question import Question
-from dhlab.grading.source import Cell, answers, assigned, blanked, read_cells, with_checks
+from dhlab.grading.source import Cell, assigned, blanked, read_cells, with_checks
 from dhlab.grading.trial import Namespace, check_of, for_student, run_cell, run_cells
 from dhlab.grading.tried import values_of
 
 SOURCE, WRONG = "exercise.py", "wrong.py"
 STUDENTS = ("Ada Lovelace", "Grace Hopper", "Emmy Noether")
-ENOUGH = 5
+ENOUGH, FEWEST_LETTERS = 5, 4
 HEADER = re.compile(r"^(\w+): +(.*\S)$")
 
 
@@ -55,7 +56,8 @@ class Source:
         self.exercise = load_exercise(folder)
         self.solved = with_checks(read_cells(folder / SOURCE), packed(self.exercise))
         self.wrong = read_wrong(folder / WRONG)
-        self.names = [q.name for q in self.exercise.questions(self.exercise.numbers(""))]
+        self.questions = self.exercise.questions(self.exercise.numbers(""))
+        self.names = [q.name for q in self.questions]
         self.released = [blanked(cell, self.names) for cell in self.solved]
 
     @property
@@ -70,78 +72,126 @@ def prove(source: Source) -> None:
     Raises
     ------
     DhlabError
-        An answer is left in the notebook for students; this, blank, does not run to its end or
-        gets a point; an answer fails its own checks; a wrong answer passes, or is not diagnosed
-        as it is meant to be; there are too few wrong ones.
+        The message has a line for each problem: the texts and the questions do not fit; an answer
+        is left in the notebook for students; this, blank, does not run to its end or gets a point;
+        an answer fails its own checks; a wrong answer passes, or is not diagnosed as it is meant
+        to be; there are too few wrong ones. What would follow from a problem is not looked at.
     """
-    no_answer_left(source)
-    blank_gets_nothing(source)
-    for student in source.students:
-        solution_passes(source, student)
+    problems = [*text_problems(source), *wrong_problems(source)]
+    asked_amiss = list(check_problems(source.released, source.questions))
+    if not asked_amiss:
+        running = [*blank_problems(source), *answer_problems(source)]
+        if not running:
+            known = [wrong for wrong in source.wrong if wrong.name in source.names]
+            running = [said for wrong in known for said in mistake_problems(source, wrong)]
+        problems += running
+    problems += asked_amiss
+    if problems:
+        raise DhlabError("\n".join(dict.fromkeys(problems)))
+
+
+def text_problems(source: Source) -> Iterator[str]:
+    """Say where an answer is given away, and where the text tells other points."""
+    yield from given_away(source.solved, source.released, source.questions)
+    yield from point_problems(source.released, source.questions)
+
+
+def wrong_problems(source: Source) -> Iterator[str]:
+    """Say where the wrong answers are too few, or meant for no question."""
     if len(source.wrong) < ENOUGH:
-        raise DhlabError(
-            f"{source.folder / WRONG}: {len(source.wrong)} wrong answers; {ENOUGH} are needed"
-        )
+        yield f"{source.folder / WRONG}: {len(source.wrong)} wrong answers; {ENOUGH} are needed"
+    there = ", ".join(source.names)
     for wrong in source.wrong:
-        for student in source.students[-2:]:
-            wrong_is_explained(source, wrong, student)
+        if wrong.name not in source.names:
+            yield f"{wrong.cell.where()}: no question {wrong.name!r}; there are {there}"
 
 
-def no_answer_left(source: Source) -> None:
-    """Refuse a notebook for students that still holds a line of an answer."""
-    shown = [" ".join(cell.source.split()) for cell in source.released]
-    for cell in source.solved:
-        for row, line in answers(cell):
-            if any(line in text for text in shown):
-                raise DhlabError(f"{cell.where(row)}: this line of an answer is also given away")
-
-
-def blank_gets_nothing(source: Source) -> None:
-    """Refuse a blank notebook that raises, gets a point or does not find its stubs."""
-    names = run_cells([*source.released, *source.released])  # twice over, as students do
+def blank_problems(source: Source) -> Iterator[str]:
+    """Say where a blank notebook raises, gets a point or does not find its stubs."""
+    try:
+        names = run_cells([*source.released, *source.released])  # twice over, as students do
+    except DhlabError as error:
+        yield f"{error}, in the blank notebook{_unasked(source, error)}"
+        return
     for judged in judged_all(source, names, 0):
         if judged.points or judged.reason != "stub":
-            raise DhlabError(
+            yield (
                 f"{source.folder / SOURCE}: the blank answer to {judged.name!r} is "
                 f"{judged.reason!r} ({judged.points:g} points): {judged.text}"
             )
 
 
-def solution_passes(source: Source, student: str) -> None:
-    """Refuse an answer that fails its own checks."""
-    names = run_cells(for_student(source.solved, student))
+def answer_problems(source: Source) -> Iterator[str]:
+    """Say which answer fails its own checks; of each answer once."""
+    found: set[str] = set()
+    for student in source.students:
+        for name, problem in failing(source, student):
+            if name not in found:
+                yield problem
+            found.add(name)
+
+
+def failing(source: Source, student: str) -> Iterator[tuple[str, str]]:
+    """Yield the questions whose answers fail with a student's numbers, each with what is said."""
+    try:
+        names = run_cells(for_student(source.solved, student))
+    except DhlabError as error:
+        yield "", f"{error}{_whose(student)}"
+        return
     for seed in range(3):
         for judged in judged_all(source, names, seed):
-            if not judged.right:
-                raise DhlabError(
+            if judged.reason == UNJUDGED:
+                why = judged.text.removeprefix(CANNOT).removesuffix(ASK_INSTRUCTOR).strip(" .")
+                where = f"{source.exercise.where}: the task of {judged.name!r}"
+                yield judged.name, f"{where} cannot judge an answer {why}"
+            elif not judged.right:
+                yield (
+                    judged.name,
                     f"{_place(source, judged.name)}: the answer to {judged.name!r} fails its own "
-                    f"checks{_whose(student)}: {judged.text}"
+                    f"checks{_whose(student)}: {judged.text}",
                 )
 
 
-def wrong_is_explained(source: Source, wrong: Wrong, student: str) -> None:
-    """Refuse a wrong answer that passes, or whose diagnosis is not the one meant."""
-    if wrong.name not in source.names:
-        there = ", ".join(source.names)
-        raise DhlabError(f"{wrong.cell.where()}: no question {wrong.name!r}; there are {there}")
+def mistake_problems(source: Source, wrong: Wrong) -> Iterator[str]:
+    """Say where a wrong answer passes, or its diagnosis is not the one meant; once."""
 
     def instead(cell: Cell, names: Namespace) -> None:
         if wrong.name in assigned(cell):
             run_cell(wrong.cell, names)
 
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # degrees for radians warn, and so they should
-        names = run_cells(for_student(source.solved, student), instead)
-    question = next(q for q in asked(source, names) if q.name == wrong.name)
-    for seed in (None, 0):
-        judged = judged_one(source.exercise, question, names, seed)
-        found = wrong.meant in judged.mistakes or wrong.meant.lower() in judged.text.lower()
-        if judged.points or not found:
-            said = ", ".join(judged.mistakes) or "no mistake by name"
-            raise DhlabError(
-                f"{wrong.cell.where()}: {wrong.meant!r} was meant for {wrong.name!r}, but it gets "
-                f"{judged.points:g} points and {said}{_whose(student)}: {judged.text}"
-            )
+    for student in source.students[-2:]:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # degrees for radians warn, and so they should
+            try:
+                names = run_cells(for_student(source.solved, student), instead)
+            except DhlabError as error:
+                yield str(error)
+                return
+        question = next(q for q in asked(source, names) if q.name == wrong.name)
+        for seed in (None, 0):
+            judged = judged_one(source.exercise, question, names, seed)
+            problem = _amiss(wrong, judged)
+            if problem:
+                yield f"{wrong.cell.where()}: {problem}{_whose(student)}: {judged.text}"
+                return
+
+
+def _amiss(wrong: Wrong, judged: Judged) -> str:
+    """Say what of the judgement of a wrong answer is not as it was meant, if anything."""
+    keys = ", ".join(judged.mistakes)
+    is_key = wrong.meant in judged.mistakes
+    if not judged.points and not is_key and len(wrong.meant) < FEWEST_LETTERS:
+        return (
+            f"{wrong.meant!r} says too little of what is meant for {wrong.name!r}; write the key "
+            f"of a mistake{f' ({keys})' if keys else ''} or some words of this"
+        )
+    words = rf"(?<!\w){re.escape(wrong.meant)}"
+    if not judged.points and (is_key or re.search(words, judged.text, re.IGNORECASE)):
+        return ""
+    return (
+        f"{wrong.meant!r} was meant for {wrong.name!r}, but it gets {judged.points:g} points and "
+        f"{keys or 'no mistake by name'}"
+    )
 
 
 def judged_all(source: Source, names: Namespace, seed: int | None) -> list[Judged]:
@@ -188,6 +238,15 @@ def read_wrong(path: Path) -> list[Wrong]:
 def _place(source: Source, name: str) -> str:
     found = next((cell for cell in source.solved if name in assigned(cell)), None)
     return str(source.folder / SOURCE) if found is None else found.where()
+
+
+def _unasked(source: Source, error: DhlabError) -> str:
+    """Say which name is missed because an answer gives it that no question asks for."""
+    name = error.__cause__.name if isinstance(error.__cause__, NameError) else None
+    if name is None or name in source.names or not any(name in assigned(c) for c in source.solved):
+        return ""
+    there = ", ".join(source.names)
+    return f"; no question is called {name!r} (there are {there}), so nothing stands in its place"
 
 
 def _whose(student: str) -> str:

@@ -86,7 +86,7 @@ def read_cells(path: Path) -> list[Cell]:
         for line, found in zip(starts, notebook.cells, strict=True)
     ]
     for cell in cells:
-        _parsed(cell)
+        parsed(cell)
     return cells
 
 
@@ -135,13 +135,35 @@ def answers(cell: Cell) -> list[tuple[int, str]]:
 def assigned(cell: Cell) -> set[str]:
     """Names that a code cell defines at its top level."""
     names: set[str] = set()
-    for node in _parsed(cell).body:
+    for node in parsed(cell).body:
         if isinstance(node, ast.FunctionDef | ast.ClassDef):
             names.add(node.name)
         elif isinstance(node, ast.Assign | ast.AnnAssign):
             targets = node.targets if isinstance(node, ast.Assign) else [node.target]
             names |= {n.id for t in targets for n in ast.walk(t) if isinstance(n, ast.Name)}
     return names
+
+
+def parsed(cell: Cell) -> ast.Module:
+    """Read a cell as Python; one of markdown is empty.
+
+    Raises
+    ------
+    DhlabError
+        It is no Python; the message names the line.
+    """
+    if cell.kind != "code":
+        return ast.Module([], [])
+    try:
+        return ast.parse(cell.source)
+    except SyntaxError as error:
+        raise DhlabError(f"{cell.where((error.lineno or 1) - 1)}: {error.msg}") from None
+
+
+def calls_of(cell: Cell, names: Collection[str]) -> list[ast.Call]:
+    """Calls in a cell of what has one of these names."""
+    calls = [n for n in ast.walk(parsed(cell)) if isinstance(n, ast.Call)]
+    return [c for c in calls if isinstance(c.func, ast.Name) and c.func.id in names]
 
 
 def with_checks(cells: Sequence[Cell], text: str) -> list[Cell]:
@@ -152,7 +174,7 @@ def with_checks(cells: Sequence[Cell], text: str) -> list[Cell]:
     DhlabError
         There is no such call, or more than one, or it has a text already.
     """
-    found = [(k, call) for k, cell in enumerate(cells) for call in _calls(cell)]
+    found = [(k, call) for k, cell in enumerate(cells) for call in calls_of(cell, {"checks"})]
     if len(found) != 1:
         what = "no cell calls" if not found else "more than one cell calls"
         raise DhlabError(
@@ -224,20 +246,6 @@ def _stub(inside: Sequence[str], indent: str, names: Collection[str]) -> list[st
     body = Cell("code", "\n".join(inside), "", 0, "", {})
     asked = sorted(assigned(body) & set(names), key=body.source.index)
     return [f"{name} = ..." for name in asked] or [OPEN_STUB]
-
-
-def _parsed(cell: Cell) -> ast.Module:
-    if cell.kind != "code":
-        return ast.Module([], [])
-    try:
-        return ast.parse(cell.source)
-    except SyntaxError as error:
-        raise DhlabError(f"{cell.where((error.lineno or 1) - 1)}: {error.msg}") from None
-
-
-def _calls(cell: Cell) -> list[ast.Call]:
-    calls = [n for n in ast.walk(_parsed(cell)) if isinstance(n, ast.Call)]
-    return [c for c in calls if isinstance(c.func, ast.Name) and c.func.id == "checks"]
 
 
 def _id(cell: Cell, taken: Collection[str]) -> str:

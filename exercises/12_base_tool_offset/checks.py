@@ -76,9 +76,12 @@ def pictures(given):
     c = chain(given)
     x, y, height = place(given)
     bench = cuboid(0.3, 0.3, height, name="bench", color="#c9b28f", opacity=0.35).move((x, y, 0))
-    arm = robot(
-        c.rows, c.joints, base=c.base, grasper=c.grasper, offset=c.offset, name="arm",
-        opacity=0.45, radius=0.03, grasper_size=0,
+    to_the_tip, to_the_tool = (
+        robot(
+            c.rows, c.joints, base=c.base, grasper=grasper, offset=c.offset, name="arm",
+            opacity=0.45, radius=0.03, grasper_size=0,
+        )
+        for grasper in (c.grasper, (FORE, 0, 0))
     )  # fmt: skip
     forearm = robot(
         [dh(0, 0, 0, 0)], "r", grasper=(FORE, 0, 0), name="forearm", opacity=0.4, radius=0.02,
@@ -86,7 +89,10 @@ def pictures(given):
     )  # fmt: skip
     mount, tip = transl((FORE, 0, 0)), c.grasper[:3, 3]
     tilted = rp2t(roty((given["tilt"] + 90) * deg), (FORE, 0, 0))
-    rod = cylinder(0.008, given["tool"], name="tool", color="#4a5058", opacity=0.6).move(tilted)
+    rod, held = (
+        cylinder(radius, given["tool"], name="tool", color="#4a5058", opacity=0.6).move(pose)
+        for radius, pose in ((0.008, tilted), (0.015, c.frames(c.home)[-1] @ tilted))
+    )
     lengths = [
         arrow(p + UP, q + UP, f"{length:.2g} m", heads="both", head=0.02, name=name)
         for name, length, p, q in (
@@ -95,6 +101,7 @@ def pictures(given):
         )
     ]
     return {
-        "bench": [csys(name="W", size=0.25), bench, arm],
+        "bench": [csys(name="W", size=0.25), bench, to_the_tool, held],
+        "whole": [csys(name="W", size=0.25), bench, to_the_tip],
         "link": [csys(name="3", size=0.12), forearm, rod, *lengths],
     }

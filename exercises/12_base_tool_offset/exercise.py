@@ -104,12 +104,13 @@ arm = robot(rows, "rrr", base=T_W0, grasper=T_3T, offset=(0, -90 * deg, 90 * deg
 check("arm", arm)
 
 # %% arm-yours-words [markdown]
-# Your arm (orange) over the wanted one (pale), all joints at 0.
+# Your arm (orange) over the wanted one (pale), all joints at 0. Both are drawn with the last
+# link straight to the tip of the tool.
 
 # %% arm-yours
 def yours_arm(arm):
     arm.set(color="#d55e00", look="stick")
-    return side_by_side(show(*check.picture("bench"), arm, height=420), Panel(arm))
+    return side_by_side(show(*check.picture("whole"), arm, height=420), Panel(arm))
 
 check.show(yours_arm, arm)
 

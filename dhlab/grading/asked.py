@@ -7,7 +7,15 @@ Kind: TypeAlias = Literal["values", "robot", "csys", "scene"]
 """How an answer is read: as plain values, or from the handles of dhlab."""
 
 Reason: TypeAlias = Literal[
-    "missing", "stub", "raised", "too slow", "too much memory", "too large", "not numbers", "ended"
+    "missing",
+    "no function",
+    "stub",
+    "raised",
+    "too slow",
+    "too much memory",
+    "too large",
+    "not numbers",
+    "ended",
 ]
 
 
@@ -18,8 +26,9 @@ class NoValue:
     Attributes
     ----------
     reason : str
-        "missing" (no such name), "stub" (untouched), "raised", "too slow", "too much memory",
-        "too large", "not numbers", or "ended" (the process was gone).
+        "missing" (no such name), "no function" (a value in place of one), "stub" (untouched),
+        "raised", "too slow", "too much memory", "too large", "not numbers", or "ended" (the
+        process was gone).
     text : str
         What happened, at most 200 characters on one line without control characters and angle
         brackets: "ZeroDivisionError: division by zero".

@@ -159,6 +159,13 @@ def load_exercise(folder: Path) -> Exercise:
     return exercise_from_text(text, path.resolve().parent.name, str(path), tools, course)
 
 
+def title_of(folder: Path) -> str:
+    """Return the title of an exercise's notebook, or the exercise's name where it has none."""
+    notebook = Path(folder) / NOTEBOOK
+    found = re.search(r"^# # (.*\S)", text_of(notebook) if notebook.is_file() else "", re.MULTILINE)
+    return found[1] if found else notebook.resolve().parent.name
+
+
 def text_of(path: Path) -> str:
     """Text of one of an exercise's files.
 

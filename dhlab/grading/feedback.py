@@ -8,6 +8,9 @@ from dhlab.grading.grades import number
 from dhlab.grading.plain import markdown
 from dhlab.grading.results import ClassResults, Row
 
+MARKS = {"stub": "empty", "missing": "missing"}
+"""What is said of an answer that is not there."""
+
 
 def feedback(results: ClassResults, row: Row) -> str:
     """Return what one student is told, as Markdown.
@@ -22,11 +25,12 @@ def feedback(results: ClassResults, row: Row) -> str:
     text : str
     """
     points = f"{number(row.points)} of {number(results.out_of)} points"
-    lines = [f"# {markdown(results.run.exercise)}", "", f"**{markdown(row.student)}**: {points}"]
+    title = results.run.title or results.run.exercise
+    lines = [f"# {markdown(title)}", "", f"**{markdown(row.student)}**: {points}"]
     if row.reason:
         lines += ["", markdown(row.reason)]
     for judged in row.questions:
-        mark = "right" if judged.right else "not yet right"
+        mark = "right" if judged.right else MARKS.get(judged.reason, "not yet right")
         value = f"{number(judged.points)} of {number(judged.out_of)}"
         lines += ["", f"## {markdown(judged.name)}: {mark}, {value}", "", markdown(judged.text)]
     if row.all_notes:

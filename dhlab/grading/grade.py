@@ -20,7 +20,7 @@ from dhlab.grading.asked import Ask
 from dhlab.grading.batch import Job, Marker, mark_class, prepared
 from dhlab.grading.entries import handed_in
 from dhlab.grading.executors import Workers, dask_workers, local_workers
-from dhlab.grading.exercise import CHECKS, Exercise, load_exercise
+from dhlab.grading.exercise import CHECKS, Exercise, load_exercise, title_of
 from dhlab.grading.grades import add_grade, write_grades
 from dhlab.grading.journal import Journal, earlier_rows
 from dhlab.grading.named import told_of_doubles
@@ -185,8 +185,8 @@ def _run(order: Order, exercise: Exercise, before: Run | None) -> Run:
     parts = "\n".join((exercise.text, *exercise.tools))
     digest = hashlib.sha256(parts.encode()).hexdigest()
     versions = {"dhlab": _version(), "numpy": np.__version__, "python": platform.python_version()}
-    source = str(order.source.resolve())
-    return Run(exercise.name, digest, order.course, seed, order.sandbox, versions, source)
+    told = str(order.source.resolve()), title_of(order.exercise)
+    return Run(exercise.name, digest, order.course, seed, order.sandbox, versions, *told)
 
 
 def _refuse_to_replace(

@@ -13,6 +13,7 @@ RIGHT, WRONG, UNJUDGED = "right", "wrong", "not judged"
 CANNOT, ASK_INSTRUCTOR = "This answer could not be judged", "Please tell your instructor."
 SENTENCES = {
     "missing": "There is no `{name}` in this notebook.",
+    "no function": "`{name}` is a value: a function of this name is asked for.",
     "stub": "Nothing is there yet.",
     "raised": "`{name}` raised an error.",
     "too slow": "`{name}` took too long: is there a loop that never ends?",

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
@@ -14,6 +14,7 @@ from dhlab.grading.judge import Judged, judge
 from dhlab.grading.question import Question
 from dhlab.grading.runner import Run, run_cells
 from dhlab.grading.sandbox import Limits, Sandbox
+from dhlab.grading.tried import examples_told
 
 Status: TypeAlias = Literal["graded", "second look", "partly graded", "unreadable", "missing"]
 
@@ -22,6 +23,7 @@ IMPORTS = re.compile(
     r"|import[ \t]+([\w \t.,]+))",
     re.MULTILINE,
 )
+PARTLY = re.compile(r"For \d+ of \d+ inputs it is ")
 MOST_IMPORTS, LONGEST_CELL = 50, 100_000
 
 
@@ -110,7 +112,7 @@ def mark_cells(
     asks = [_ask(exercise, question, seed) for question in questions]
     run = run_cells(cells, asks, given, tools=exercise.tools, sandbox=sandbox, limits=limits)
     judged = tuple(
-        judge(question, list(zip(ask.cases, run.replies[ask.name], strict=True)))
+        _judged(question, list(zip(ask.cases, run.replies[ask.name], strict=True)))
         for question, ask in zip(questions, asks, strict=True)
     )
     left_out = [f"cell {cell} was left out: {why}." for cell, why in run.left_out.items()]
@@ -153,6 +155,14 @@ def _ask(exercise: Exercise, question: Question, seed: int) -> Ask:
     rng = np.random.default_rng([seed, seed_of("", question.name)])
     cases = exercise.cases(question, rng)
     return Ask(question.name, question.kind, cases, question.library)
+
+
+def _judged(question: Question, cases: Sequence[tuple[tuple[Any, ...], Any]]) -> Judged:
+    """Judge an answer; of one that is right for some inputs say which of those that are known."""
+    judged = judge(question, cases)
+    if PARTLY.search(judged.text) is None:
+        return judged
+    return replace(judged, text=f"{judged.text} {examples_told(question, cases)}")
 
 
 def _clash(run: Run, exercise: Exercise, student: str) -> list[str]:

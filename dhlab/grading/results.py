@@ -35,7 +35,9 @@ class Run:
     versions : mapping of str to str
         Of what took part, by name.
     source : str
-        Where the submissions were; the marks do not depend on it.
+        Where the submissions were.
+    title : str
+        Of the exercise. On this and on `source` the marks do not depend.
     """
 
     exercise: str
@@ -45,6 +47,7 @@ class Run:
     sandbox: str
     versions: Mapping[str, str]
     source: str = field(default="", compare=False)
+    title: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True)
@@ -211,7 +214,7 @@ def read_results(path: Path) -> tuple[Run, list[Row]]:
 
 def run_from(document: Mapping[str, Any]) -> Run:
     """Take the run out of plain data."""
-    known = {"source": "", **document}
+    known = {"source": "", "title": "", **document}
     return Run(**{field.name: known[field.name] for field in fields(Run)})
 
 

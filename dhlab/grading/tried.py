@@ -34,6 +34,29 @@ def right_alone(question: Question, arguments: Arguments, value: Any) -> bool:
     return judge(question, [(arguments, value)]).right
 
 
+def examples_told(question: Question, cases: Sequence[tuple[Arguments, Any]]) -> str:
+    """Say which of the examples of an answer that is right for some inputs are right.
+
+    Parameters
+    ----------
+    question : Question
+    cases : sequence of (arguments, value)
+        Those of the examples come first; nothing is said of the others.
+    """
+    calls: dict[bool, list[str]] = {True: [], False: []}
+    for arguments, value in cases[: len(question.examples)]:
+        is_right = right_alone(question, arguments, value)
+        calls[is_right].append(f"`{call_text(question.name, arguments)}`")
+    if not calls[False]:
+        return "Those in the notebook are all right."
+    if not calls[True]:
+        return "Of those in the notebook none is right."
+    right, wrong = (
+        f"{' and '.join(some)} {'is' if len(some) == 1 else 'are'}" for some in calls.values()
+    )
+    return f"Of the inputs in the notebook, {right} right, {wrong} not."
+
+
 def call_text(name: str, arguments: Arguments) -> str:
     """Return how a case is called.
 
@@ -65,7 +88,7 @@ def _value(question: Question, answer: Any, arguments: Arguments) -> Any:
     if not question.is_function:
         return answer
     if not callable(answer):
-        return NoValue("missing", "a function of this name is asked for, not a value")
+        return NoValue("no function", "")
     try:
         value = answer(*copy.deepcopy(arguments))
     except NotImplementedError:

@@ -4,7 +4,7 @@ from dhlab.grading.judge import Judged
 from dhlab.grading.results import ClassResults, Column, Row, Run
 
 WHY = "This is exactly what you get when "
-RUN = Run("07_dh_link", "ab" * 32, "robots", 17, "bwrap", {"dhlab": "0.1.0"})
+RUN = Run("07_dh_link", "ab" * 32, "robots", 17, "bwrap", {"dhlab": "0.1.0"}, title="One link")
 COLUMNS = (Column("dh_link", 2.0), Column("T", 1.0))
 
 

@@ -91,7 +91,7 @@ def test_a_stub_gets_its_hint(check):
         (fails, "`rot_z` raised an error. (ZeroDivisionError: division by zero, in the line `ret"),
         (leaves, "raised an error. (SystemExit"),
         (goes_deep, "raised an error. (RecursionError"),
-        (rotz(0.4), "a function of this name is asked for, not a value"),
+        (rotz(0.4), "`rot_z` is a value: a function of this name is asked for."),
         (lambda: 1, "raised an error. (TypeError"),
         (lambda angle: None, "is there a return at the end?"),
         (lambda angle: "R", "is text"),

@@ -9,7 +9,7 @@ import pytest
 
 from dhlab.diagnosis import MatrixTask, turn
 from dhlab.errors import DhlabError, InputError
-from dhlab.grading.exercise import exercise_from_text, load_exercise, seed_of
+from dhlab.grading.exercise import exercise_from_text, load_exercise, seed_of, title_of
 from dhlab.grading.question import Question
 
 TASK = MatrixTask(turn("z", 0.3), size=3)
@@ -35,6 +35,15 @@ def test_the_course_is_the_one_that_the_notebook_names(folder, edit):
     assert pickle.loads(pickle.dumps(exercise)).course == "arms 2"
     (folder / "exercise.py").unlink()
     assert load_exercise(folder).course == ""
+
+
+def test_the_title_is_the_first_heading_and_without_one_the_name(folder, edit):
+    edit("exercise.py", "# # Turns", "# # A turn: $R_z$ ")
+    assert title_of(folder) == "A turn: $R_z$"
+    edit("exercise.py", "# # A turn", "# A turn")
+    assert title_of(folder) == "01_turns"
+    (folder / "exercise.py").unlink()
+    assert title_of(folder) == "01_turns"
 
 
 def test_seeds_are_the_same_on_every_machine():

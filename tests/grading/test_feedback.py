@@ -9,15 +9,28 @@ from markdown_it import MarkdownIt
 
 from dhlab.grading.feedback import feedback
 from dhlab.grading.gradescope import gradescope
-from tests.grading.made import ADA, BOB, CLASS, HOSTILE, KURT, LOST, results
+from tests.grading.made import ADA, BOB, CLASS, HOSTILE, KURT, LOST, results, wrong
 
 
 def test_feedback_says_points_and_why():
     text = feedback(CLASS, BOB)
-    assert text.startswith("# 07\\_dh\\_link\n\n**Bob**: 1 of 3 points\n")
+    assert text.startswith("# One link\n\n**Bob**: 1 of 3 points\n")
     assert "## dh\\_link: not yet right, 0 of 2\n\nSeen. This is exactly what" in text
     assert "## T: right, 1 of 1\n\nRight.\n" in text
     assert text.endswith("## Notes\n\n- It tried to write a file.\n")
+
+
+def test_feedback_has_the_name_of_an_exercise_without_a_title():
+    untitled = replace(CLASS, run=replace(CLASS.run, title=""))
+    assert feedback(untitled, BOB).startswith("# 07\\_dh\\_link\n")
+
+
+def test_feedback_calls_an_answer_that_is_not_there_empty_or_missing():
+    text = feedback(CLASS, KURT)
+    assert "## dh\\_link: empty, 0 of 2\n\nNothing is there yet." in text
+    gone = replace(KURT, questions=(wrong("T", 1, "There is no `T`.", reason="missing"),))
+    assert "## T: missing, 0 of 1" in feedback(CLASS, gone)
+    assert "## T: not yet right, 0 of 1" in text
 
 
 @pytest.mark.parametrize("row", [KURT, LOST])

@@ -1,6 +1,7 @@
 """Marking one submission: what comes out, who it is for, and what is said."""
 
 import json
+import re
 from dataclasses import asdict
 
 import pytest
@@ -21,7 +22,7 @@ def questions(given):
     own = MatrixTask(turn("x", given["angle"]), size=3)
     drawn = lambda rng: [(x,) for x in rng.uniform(-3, 3, 4)]
     return [
-        Question("rot_z", about_z, points=2, examples=[(0.3,)], inputs=drawn),
+        Question("rot_z", about_z, points=2, examples=[(0.3,), (-1.1,)], inputs=drawn),
         Question("R_x", own, points=1, hint="Which row stays as it is?"),
     ]
 """,
@@ -74,6 +75,33 @@ def test_what_fits_the_examples_alone_gets_nothing(marked):
     only = marked(ROT_Z.replace("rot_z", "right"), table)
     assert only.questions[0].reason == "raised"
     assert only.questions[0].points == 0
+
+
+def test_a_value_in_place_of_a_function_is_there_and_told_to_be_a_value(marked):
+    value = marked("rot_z = np.eye(3)", R_X)
+    assert value.questions[0].reason == "no function"
+    assert value.questions[0].text == "`rot_z` is a value: a function of this name is asked for."
+
+
+@pytest.mark.parametrize(
+    ("right_for", "said"),
+    [
+        ("t > 0", "Of the inputs in the notebook, `rot_z(0.3)` is right, `rot_z(-1.1)` is not."),
+        ("t in (0.3, -1.1)", "Those in the notebook are all right."),
+        ("t not in (0.3, -1.1)", "Of those in the notebook none is right."),
+    ],
+)
+def test_of_an_answer_that_is_right_for_some_inputs_those_of_the_notebook_are_told(
+    marked, right_for, said
+):
+    some = f"def rot_z(t):\n    return right(t) if {right_for} else np.eye(3)\n"
+    text = marked(ROT_Z.replace("rot_z", "right"), some).questions[0].text
+    assert re.search(r"For \d of 6 inputs it is right", text)
+    assert text.endswith(said)
+
+
+def test_of_an_answer_that_is_wrong_for_all_inputs_none_is_told(marked):
+    assert "in the notebook" not in marked("def rot_z(t):\n    return np.eye(3)").questions[0].text
 
 
 def test_a_mistake_is_named(marked):

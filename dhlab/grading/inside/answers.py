@@ -76,7 +76,7 @@ def _value(thing: Any, arguments: Sequence[Any]) -> Any:
     if not arguments:
         return thing
     if not callable(thing):
-        raise NotPlain("missing", "a function of this name is asked for, not a value")
+        raise NotPlain("no function", "")
     value = thing(*arguments)
     if value is ...:
         raise Untouched

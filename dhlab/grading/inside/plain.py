@@ -26,7 +26,7 @@ class NotPlain(Exception):
 
     Parameters
     ----------
-    reason : {'not numbers', 'too large'}
+    reason : {'not numbers', 'too large', 'no function'}
     text : str
         What came, in a few words.
     """

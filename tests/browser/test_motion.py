@@ -121,6 +121,34 @@ def test_the_bar_plays_pauses_steps_repeats_and_scrubs(notebook, shown):
     shown.evaluate(f"({bar}.loopButton.click(), {PLAYERS}[0].setSpeed(1))")
 
 
+FRAMES = """(() => {
+  const bar = stage.playerBar;
+  const real = performance.now;
+  const tell = [];
+  const player = { time: 0, start: 0, end: 9, playing: true, loop: false, speed: 1 };
+  player.subscribe = (listener) => (tell.push(listener), () => {});
+  bar.follow(player);
+  const shown = (at, playing = true) => {
+    Object.assign(player, { time: at / 1000, playing });
+    performance.now = () => 1e9 + at;
+    tell[0](player);
+    return bar.readout.value.startsWith((at / 1000).toFixed(2)) ? at : null;
+  };
+  try {
+    const swift = [0, 16, 32, 48].map((at) => shown(at));
+    const slow = [150, 250, 350, 450, 550, 650].map((at) => shown(at));
+    return [...swift, ...slow, shown(660, false)].filter((at) => at !== null);
+  } finally {
+    performance.now = real;
+    bar.follow(null);
+  }
+})()"""
+
+
+def test_the_bar_follows_each_swift_frame_and_of_slow_ones_a_few_a_second(notebook, shown):
+    assert shown.evaluate(FRAMES) == [0, 16, 32, 48, 350, 650, 660]
+
+
 def test_two_views_play_in_step(notebook, shown):
     notebook.run("second = View('second', height=150).add(arm)\nsecond")
     second = notebook.view("second")

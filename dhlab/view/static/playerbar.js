@@ -9,10 +9,14 @@ const LOOP = '<path d="M5 9V8a2 2 0 0 1 2-2h8M12.5 3.5 15 6l-2.5 2.5M15 11v1a2 2
 const FILM = '<path d="M3 6h9v8.5h-9Z"/><path class="lit" d="M12 9.5l5-2.5v6.5l-5-2.5Z"/>';
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 const GRAIN = 1000;
+const SWIFT = 25; // ms: where frames take longer, the bar is not painted in each of them
+const SELDOM = 250; // ms between two looks of it then
 
 export class PlayerBar {
   #player = null;
   #leave = () => {};
+  #toldAt = 0;
+  #shownAt = 0;
 
   /** `film()` starts a film of the motion or ends it; without it there is no button for that. */
   constructor(film) {
@@ -51,7 +55,7 @@ export class PlayerBar {
     this.#leave();
     this.#player = player;
     this.element.hidden = player === null;
-    this.#leave = player ? player.subscribe(() => this.#show()) : () => {};
+    this.#leave = player ? player.subscribe(() => this.#told()) : () => {};
     if (player) this.#show();
   }
 
@@ -78,7 +82,16 @@ export class PlayerBar {
     });
   }
 
+  /** While a motion plays, text and slider cost a slow browser a third of each frame. */
+  #told() {
+    const now = performance.now();
+    const swift = now - this.#toldAt < SWIFT;
+    this.#toldAt = now;
+    if (swift || !this.#player.playing || now - this.#shownAt > SELDOM) this.#show();
+  }
+
   #show() {
+    this.#shownAt = performance.now();
     const { time, start, end, playing, loop, speed } = this.#player;
     const state = playing ? "pause" : "play";
     if (this.playButton.dataset.action !== state) {

@@ -1,14 +1,14 @@
 /** How a view and its bars look. */
 export const STYLE = `
 .dhlab-view {
-  --ink: #2c3a49; --panel: rgba(255, 255, 255, 0.72); --line: rgba(44, 58, 73, 0.16);
+  --ink: #2c3a49; --panel: rgba(255, 255, 255, 0.84); --line: rgba(44, 58, 73, 0.16);
   --lit: #2a6fb0; position: relative; box-sizing: border-box; width: 100%; min-width: 220px;
   overflow: hidden; border-radius: 6px; outline: none; user-select: none; background: #eef2f6;
   font: 500 12px/1.3 system-ui, "Helvetica Neue", Arial, sans-serif; color: var(--ink);
   font-variant-numeric: tabular-nums;
 }
 .dhlab-view[data-background="dark"] {
-  --ink: #d5dde6; --panel: rgba(32, 38, 46, 0.72); --line: rgba(213, 221, 230, 0.18);
+  --ink: #d5dde6; --panel: rgba(32, 38, 46, 0.84); --line: rgba(213, 221, 230, 0.18);
   --lit: #7fb8ee; background: #1d2229;
 }
 .dhlab-view:focus-visible { box-shadow: inset 0 0 0 2px var(--lit); }
@@ -18,7 +18,6 @@ export const STYLE = `
 .dhlab-toolbar, .dhlab-player {
   position: absolute; display: flex; align-items: center; gap: 1px; padding: 2px;
   border: 1px solid var(--line); border-radius: 6px; background: var(--panel);
-  backdrop-filter: blur(6px);
 }
 .dhlab-toolbar { flex-wrap: wrap; margin-left: 8px; top: 8px; right: 8px; opacity: 0.66; transition: opacity 0.15s; }
 .dhlab-view:hover .dhlab-toolbar, .dhlab-toolbar:focus-within { opacity: 1; }

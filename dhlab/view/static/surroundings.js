@@ -77,7 +77,7 @@ export class Surroundings {
 function createShadowLamp() {
   const light = new THREE.DirectionalLight(0xffffff, 1);
   light.castShadow = true;
-  light.shadow.mapSize.set(1024, 1024);
+  light.shadow.mapSize.set(512, 512);
   Object.assign(light.shadow, { bias: -0.0005, radius: 4 });
   return light;
 }

@@ -22,8 +22,16 @@ student, or the zip archive of a learning platform (Moodle, Canvas, Brightspace,
 Each student gets one row, whatever they handed in. An interrupted run goes on with the same
 command; only what has changed is marked again.\
 """
-RESULTS = """\
-what is written to RESULTS:
+EPILOG = """\
+the list of students (FILE):
+  one name a line, or a heading and a row for each student, parted by commas, semicolons or tabs:
+    an id    student_id, id, username, login, login_id, sis_login_id, sis_user_id, id_number,
+             email, email_address
+    a name   name, full_name, student, student_name; or first_name and last_name
+  Who handed in nothing is missing. Students' own numbers come from the name in the notebook; where
+  the list has another full name for a submission, from the list, and the status is "second look".
+
+what is written to RESULTS (refused if it would take the place of other marks):
   grades.csv               a row for each student
   class.html               how the class did, and which mistakes it made
   feedback/STUDENT.md      what a student may read
@@ -40,7 +48,7 @@ MOST_TOLD = 10
 def add_grade(commands: Commands) -> None:
     """Add `dhlab grade`."""
     short = "mark a class's notebooks"
-    grade = add_command(commands, "grade", short, GRADE, run_grade, RESULTS)
+    grade = add_command(commands, "grade", short, GRADE, run_grade, EPILOG)
     grade.add_argument("exercise", type=Path, metavar="EXERCISE", help="folder of the exercise")
     grade.add_argument("submissions", type=Path, metavar="SUBMISSIONS", help="what was handed in")
     grade.add_argument("--out", required=True, type=Path, metavar="RESULTS", help="a folder")
@@ -53,9 +61,7 @@ def add_grade(commands: Commands) -> None:
         metavar="NAME",
         help="for students' own numbers (default: that of the exercise's notebook)",
     )
-    grade.add_argument(
-        "--students", type=Path, metavar="FILE", help="list of the class (CSV, or a name a line)"
-    )
+    grade.add_argument("--students", type=Path, metavar="FILE", help="list of the class, see below")
     grade.add_argument(
         "--workers", type=_positive, metavar="N", help="processes (default: one per processor)"
     )

@@ -5,7 +5,7 @@ An exercise is a folder with `exercise.py` (the whole notebook as text, with its
 `dhlab exercise build` makes the notebook for students from them.
 
 - `question`, `exercise`: what is asked; `judge`: from what came to points and a sentence
-- `check`, `tried`, `said`: the check cell
+- `check`, `tried`, `printed`, `said`: the check cell
 - `source`, `build`, `trial`: from the text to the notebook, and its proof
 - `named`: whose numbers a notebook is marked with
 - `mark`: one submission; `runner`: its cells run and asked for values, which nothing trusts

@@ -52,9 +52,8 @@ def read_people(path: Path) -> tuple[Person, ...]:
     Parameters
     ----------
     path : Path
-        Columns that are known, however they are capitalised: `student_id`, `id`, `username`,
-        `login`, `email`; `name`, `student`; `first_name` and `last_name`. nbgrader's, Moodle's and
-        Canvas's lists have some of these.
+        Parted by commas, semicolons or tabs. Columns that are known, however they are capitalised:
+        `IDS`; `NAMES`; `FIRST` with `LAST`. nbgrader's, Moodle's and Canvas's lists have some.
 
     Returns
     -------

@@ -11,6 +11,7 @@ import numpy as np
 from dhlab.grading.asked import NoValue
 from dhlab.grading.inside.plain import LINE, NotPlain, tidy
 from dhlab.grading.judge import judge
+from dhlab.grading.printed import labelled
 from dhlab.grading.question import Arguments, Question
 from dhlab.grading.said import Said
 from dhlab.grading.values import from_json, no_value, to_json
@@ -23,10 +24,19 @@ def values_of(
 ) -> list[tuple[Arguments, Any]]:
     """Try an answer with the arguments of each case; by default with the examples.
 
-    What comes goes the way that it goes when it is marked: as plain numbers and strings.
+    What comes goes the way that it goes when it is marked: as plain numbers and strings. What is
+    printed meanwhile stands below the call that it comes from.
     """
     arguments = question.cases() if cases is None else cases
-    return [(case, _plain(question, _value(question, answer, case))) for case in arguments]
+    found = []
+    for k, case in enumerate(arguments):
+        is_further = k >= len(question.examples)
+        call = (
+            f"{question.name} in a further case" if is_further else call_text(question.name, case)
+        )
+        with labelled(f"{call} prints:"):
+            found.append((case, _plain(question, _value(question, answer, case))))
+    return found
 
 
 def right_alone(question: Question, arguments: Arguments, value: Any) -> bool:

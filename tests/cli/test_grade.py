@@ -1,6 +1,7 @@
 """`dhlab grade`."""
 
 import os
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -10,6 +11,7 @@ import pytest
 
 from dhlab import cli
 from dhlab.cli.grade import summary
+from dhlab.grading.roster import FIRST, IDS, LAST, NAMES
 from tests.grading.classroom import NAME, answered, write_exercise
 from tests.grading.made import CLASS, HOSTILE, LOST, results, right, row
 
@@ -71,6 +73,13 @@ def test_help_says_what_is_read_and_written(capsys):
         assert option in text
     for name in ("grades.csv", "class.html", "feedback/", "gradescope/", "results.json"):
         assert name in text
+
+
+def test_help_names_every_column_of_a_list_of_students(capsys):
+    with pytest.raises(SystemExit, match="0"):
+        cli.main(["grade", "--help"])
+    words = set(re.findall(r"\w+", capsys.readouterr().out))
+    assert {*IDS, *NAMES, FIRST[0], LAST[0]} <= words
 
 
 @pytest.mark.parametrize(

@@ -182,6 +182,38 @@ def test_with_a_seed_the_cases_that_marking_tries_are_tried_too_and_not_told(che
     assert check("rot_z", rotz, seed=3).note == ""
 
 
+def test_what_a_function_prints_stands_below_the_call_that_it_comes_from(check, capsys):
+    def talks(angle):
+        sys.stdout.write(f"angle {angle}")
+        return rotz(angle)
+
+    assert check("rot_z", talks).right
+    assert capsys.readouterr().out == (
+        "rot_z(0.4) prints:\nangle 0.4\nrot_z(-1.1) prints:\nangle -1.1\n"
+    )
+    check("rot_z", talks, seed=1)
+    said = capsys.readouterr().out
+    assert said.count("rot_z in a further case prints:\n") == 2
+    check("rot_z", rotz)
+    check("R", rotz(1))
+    assert capsys.readouterr().out == ""
+
+
+def test_what_was_printed_before_an_error_is_shown_too_and_printing_goes_on_as_before(
+    check, capsys
+):
+    def breaks_off(angle):
+        sys.stdout.write("so far\n")
+        raise ValueError
+
+    check("rot_z", breaks_off)
+    sys.stdout.write("after\n")
+    lines = capsys.readouterr().out.splitlines()
+    assert lines == [
+        "rot_z(0.4) prints:", "so far", "rot_z(-1.1) prints:", "so far", "after"
+    ]  # fmt: skip
+
+
 def test_nothing_to_draw_yet_is_said_and_not_raised(check):
     def drawing(R):
         return R(1)

@@ -101,3 +101,17 @@ def _origin_slips() -> Iterator[tuple[Mistake, After]]:
         ),
         negated_origin,
     )
+
+
+def origin_signs() -> Iterator[tuple[Mistake, After]]:
+    """One coordinate of the origin with the wrong sign: slips of the pen."""
+    for k, axis in enumerate("xyz"):
+
+        def negated(T: Floats, k: int = k) -> Floats:
+            out = T.copy()
+            out[..., k, 3] *= -1
+            return out
+
+        question = f"From the one origin to the other: does it go along {axis} or against it?"
+        key, when = f"origin-sign-{axis}", f"{axis} of the origin has the wrong sign"
+        yield mistake(key, when, question), negated

@@ -17,7 +17,7 @@ from dhlab.diagnosis.verdict import Mistake, mistake
 from dhlab.kinematics.chain import Chain
 
 NAMES = ("alpha", "a", "d", "theta")
-ANGLE_UNIT = "Do the sine and cosine of numpy take degrees or radians?"
+ANGLE_UNIT = "In which unit do angles count here, in degrees or in radians?"
 LENGTH_UNIT = "In which unit are the lengths asked for?"
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import Any, Literal, TypeVar, cast
 
+from dhlab.diagnosis.after import origin_signs
 from dhlab.diagnosis.product import Factor, Product, evaluate_products
 from dhlab.diagnosis.product_slips import product_slips
 from dhlab.diagnosis.seen import pose_seen
@@ -65,6 +66,11 @@ class MatrixTask:
             return NOTHING
         models = [self._model(inputs) for inputs, _ in cases]
         slips = product_slips(models[0].moves, self.about, self.size == 3)
+        if self.size == 4:
+            slips += [
+                Slip(m, lambda p, change=change: p.then(change), alone=True)  # type: ignore[misc]
+                for m, change in origin_signs()
+            ]
         return judge_matrices(cases, models, slips, self.size, self.tolerance)
 
     def _model(self, inputs: Sequence[Any]) -> Product:

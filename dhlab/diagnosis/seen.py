@@ -39,16 +39,16 @@ def _pose_seen(A: Floats, B: Floats, name: str) -> str:
     fault = _no_rotation(R)
     if fault:
         return fault
-    parts = []
     angle, axis = r2angvec(_nearest(R @ B[:3, :3].T))
-    if angle > SMALL:
-        turned, own = degrees(angle), degrees(r2angvec(_nearest(B[:3, :3]))[0])
-        size = "" if reveals(turned, own) else f"by {turned:.3g} degrees "
-        parts.append(f"turned {size}about {_axis_name(axis)}")
-    if np.linalg.norm(A[:3, 3] - B[:3, 3]) > SMALL:
-        parts.append(_off(A[:3, 3], B[:3, 3]))
-    where = " and ".join(parts) or "off by less than can be seen"
-    return f"{name[0].upper()}{name[1:]} is {where}."
+    subject = name[0].upper() + name[1:]
+    apart = np.linalg.norm(A[:3, 3] - B[:3, 3]) > SMALL
+    origin = _off(A[:3, 3], B[:3, 3])
+    if angle <= SMALL:
+        return f"{subject} is {origin if apart else 'off by less than can be seen'}."
+    turned, own = degrees(angle), degrees(r2angvec(_nearest(B[:3, :3]))[0])
+    size = "" if reveals(turned, own) else f"by {turned:.3g} degrees "
+    away = f"{subject} is turned away from the wanted one {size}about {_axis_name(axis)}"
+    return f"{away}; its origin is {origin}." if apart else f"{away}."
 
 
 def point_seen(came: Floats, wanted: Floats, name: str = "the point") -> str:

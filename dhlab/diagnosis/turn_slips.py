@@ -54,7 +54,7 @@ def turn_slips(moves: Sequence[Move], names: Sequence[str]) -> Iterator[Slip[Pro
             ).changed(j, angle=p.moves[i].angle),
             alone=True,
         )
-    units = "Do the sine and cosine of numpy take degrees or radians?"
+    units = "In which unit do angles count here, in degrees or in radians?"
     if len(turns) > 1:
         yield Slip(
             mistake("sign-all", "every angle has the wrong sign", HAND),

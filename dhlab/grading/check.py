@@ -209,7 +209,8 @@ def checks(text: str | None = None, *, course: str = "", raises: bool = False) -
     Traceback (most recent call last):
     ...
     dhlab.grading.check.NotRight: ✗ R: not right yet
-    The frame is turned by 34.4 degrees about the fixed z axis. This is exactly what you get when
+    The frame is turned away from the wanted one by 34.4 degrees about the fixed z axis. This is
+    exactly what you get when
     either the turn about z goes the wrong way round, or the inverse (for a rotation: the transpose)
     is given. Point your right thumb along the axis: which way do the fingers curl? Which frame does
     the matrix describe, and in which frame are its columns written?

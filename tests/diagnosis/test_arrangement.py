@@ -67,7 +67,7 @@ def test_a_frame_that_hangs_on_a_wrong_one_only_goes_with_it():
     drawn = {"A": frames["A"], "B": frames["A"] @ frames["B"] @ wrong}
     drawn["C"] = drawn["B"] @ frames["C"]
     text = task.judge([((), drawn)]).text
-    assert "Frame B is turned by 30 degrees about the fixed x axis" in text
+    assert "Frame B is turned away from the wanted one by 30 degrees about the fixed x axis" in text
     assert "C only goes with it" in text
 
 

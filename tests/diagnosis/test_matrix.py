@@ -7,6 +7,7 @@ from dhlab.diagnosis import MatrixTask, slide, turn
 from dhlab.diagnosis.after import after_slips
 from dhlab.diagnosis.product import evaluate_products
 from dhlab.diagnosis.product_slips import product_slips
+from dhlab.kinematics.transforms import rotx, roty, rp2t
 
 FACTORS = [turn("z", lambda t, p: t), slide(lambda t, p: (p, 0.2, -0.1)), turn("x", 0.7)]
 INPUTS = [(0.3, 0.5), (-1.1, 0.8), (2.0, -0.4)]
@@ -88,3 +89,20 @@ def test_a_left_handed_frame_is_named():
     wrong = [(i, flip(task.reference(*i))) for i in INPUTS]
     assert {"left-handed-y"} in keys(task.judge(wrong))
     assert "left-handed" in task.judge(wrong).seen
+
+
+def test_one_coordinate_with_the_wrong_sign_is_named_alone():
+    tool = (slide((0.4, 0, 0)), turn("y", 0.6), slide((0.15, 0, 0)))
+    right = rp2t(roty(0.6), (0.4 + 0.15 * np.cos(0.6), 0, -0.15 * np.sin(0.6)))
+    task = MatrixTask(*tool)
+    assert task.judge([((), right)]).right
+    right[2, 3] *= -1
+    assert keys(task.judge([((), right)])) == [{"origin-sign-z"}]
+
+
+def test_what_is_seen_says_of_turn_and_origin_what_is_off():
+    task = MatrixTask(turn("z", 0.5), slide((0.3, 0, 0)))
+    came = rp2t(rotx(0.2), (0.1, 0.7, 0.2))
+    text = task.judge([((), came)]).text
+    assert "The frame is turned away from the wanted one by 30.8 degrees about an axis" in text
+    assert "; its origin is 613 mm off, most of it along y." in text

@@ -39,7 +39,8 @@ show(*check.picture("drawing"), height=460)
 # `given` are those of the drawing.
 #
 # *Free:* which way each $z$ points along its axis, so also whether joint 3 counts up or down; how
-# the heights are shared among the $d$ and the grasper. *Not free:* the zeros of the joints.
+# the heights are shared among $d_1$, $d_2$, $d_4$ and the grasper. *Not free:* the zeros of the
+# joints. $d_3$ is the variable itself, so 0 where all variables are.
 
 # %% answer
 ### BEGIN SOLUTION

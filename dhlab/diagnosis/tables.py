@@ -119,7 +119,7 @@ class TableTask:
         if first == self.chain.n:
             return (
                 "All axes lie where they should, but the tip does not: look at the last row, and "
-                "at what stands behind it."
+                "at the tool behind it (the grasper)."
             )
         if first == 0:
             return "The axis of joint 1 does not lie where it should: what stands before it?"

@@ -8,14 +8,13 @@ import pytest
 from dhlab.grading.build import notebook_path, same
 from dhlab.grading.grade import Order, grade
 from dhlab.grading.mark import mark_cells
-from dhlab.grading.promised import check_problems
+from dhlab.grading.promised import check_problems, given_away, point_problems
 from dhlab.grading.proof import (
     ENOUGH,
     Source,
     blank_problems,
     failing,
     mistake_problems,
-    text_problems,
 )
 from dhlab.grading.source import notebook_text
 from dhlab.grading.trial import check_of, for_student, run_cells
@@ -49,8 +48,9 @@ def test_a_blank_notebook_runs_to_its_end_and_gets_hints_and_no_points(source):
 
 @for_each()
 def test_no_answer_is_given_away_and_the_text_tells_the_points_and_questions_there_are(source):
-    assert not list(text_problems(source))
-    assert not list(check_problems(source.released, source.questions))
+    assert not list(given_away(source.solved, source.released, source.questions))
+    for problems in (check_problems, point_problems):
+        assert not list(problems(source.released, source.questions))
 
 
 @for_each()

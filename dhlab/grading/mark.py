@@ -10,6 +10,7 @@ import numpy as np
 from dhlab.grading.asked import Ask
 from dhlab.grading.cases import recorded
 from dhlab.grading.exercise import Exercise, seed_of
+from dhlab.grading.inside.plain import tidy
 from dhlab.grading.judge import Judged, judge
 from dhlab.grading.question import Question
 from dhlab.grading.runner import Run, run_cells
@@ -171,4 +172,6 @@ def _clash(run: Run, exercise: Exercise, student: str) -> list[str]:
     if not exercise.is_personal or named is None or seed_of("", named) == seed_of("", student):
         return []
     who = f"'{named}'" if named.strip() else "nobody"
-    return [f"the notebook names {who}; its answers were compared with those for '{student}'."]
+    return [
+        f"the notebook names {who}; its answers were compared with those for '{tidy(student)}'."
+    ]

@@ -84,8 +84,9 @@ def point_problems(cells: Sequence[Cell], questions: Sequence[Question]) -> Iter
     for where, said, names in sections:
         have = number(sum(worth[name] for name in dict.fromkeys(names)))
         if number(float(said)) != have:
-            below = " and ".join(dict.fromkeys(names)) or "no question"
-            yield f"{where}: the heading says {said} points; checks.py has {have} for {below}"
+            below = f"checks.py has {have} for {' and '.join(dict.fromkeys(names))}"
+            below = below if names else "no question is checked below it"
+            yield f"{where}: the heading says {said} points; {below}"
 
 
 def given_away(

@@ -77,23 +77,18 @@ def prove(source: Source) -> None:
         an answer fails its own checks; a wrong answer passes, or is not diagnosed as it is meant
         to be; there are too few wrong ones. What would follow from a problem is not looked at.
     """
-    problems = [*text_problems(source), *wrong_problems(source)]
     asked_amiss = list(check_problems(source.released, source.questions))
+    problems = [*asked_amiss, *wrong_problems(source)]
+    problems += given_away(source.solved, source.released, source.questions)
     if not asked_amiss:
+        problems += point_problems(source.released, source.questions)
         running = [*blank_problems(source), *answer_problems(source)]
         if not running:
             known = [wrong for wrong in source.wrong if wrong.name in source.names]
             running = [said for wrong in known for said in mistake_problems(source, wrong)]
         problems += running
-    problems += asked_amiss
     if problems:
         raise DhlabError("\n".join(dict.fromkeys(problems)))
-
-
-def text_problems(source: Source) -> Iterator[str]:
-    """Say where an answer is given away, and where the text tells other points."""
-    yield from given_away(source.solved, source.released, source.questions)
-    yield from point_problems(source.released, source.questions)
 
 
 def wrong_problems(source: Source) -> Iterator[str]:

@@ -56,7 +56,7 @@ def refused(folder):
         (
             '# %%\ncheck("R", R)\n',
             '# %%\ncheck("R", R)\n# %% two [markdown]\n# ## 2. More (1 point)\n#\n# Words.\n',
-            ["exercise.py, line 35: the heading says 1 points; checks.py has 0 for no question"],
+            ["exercise.py, line 35: the heading says 1 points; no question is checked below it"],
         ),
     ],
 )
@@ -124,6 +124,14 @@ def test_all_wrong_answers_that_are_not_explained_are_told_at_once(folder, edit)
 def test_words_of_a_diagnosis_begin_where_a_word_begins(folder, edit):
     edit("wrong.py", "# %% R: shape (3,)", "# %% R: hape (3,)")
     assert "'hape (3,)' was meant for 'R', but it gets 0 points" in refused(folder)[0]
+
+
+def test_what_follows_from_another_problem_is_not_told(folder, edit):
+    edit("exercise.py", "# %% rot-z", "# %% a [markdown]\n# ## 1. A (3 points)\n\n# %% rot-z")
+    edit("exercise.py", 'check("R", R)', 'check("RR", R)')
+    (amiss, missing) = refused(folder)
+    assert "check('RR', ...) asks for a question that is not" in amiss
+    assert "no cell checks 'R'" in missing
 
 
 def test_a_question_that_was_renamed_in_the_checks_alone_is_told_so(folder, edit):

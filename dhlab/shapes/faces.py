@@ -28,7 +28,7 @@ class Corners(NamedTuple):
 
 
 def corners_of(faces: Sequence[Sequence[int]]) -> Corners:
-    """All corners of some faces as arrays."""
+    """All corners of some faces as arrays, read-only: many meshes may share them."""
     sizes = np.array([len(face) for face in faces])
     ends = np.cumsum(sizes)
     here = np.arange(ends[-1])
@@ -36,7 +36,10 @@ def corners_of(faces: Sequence[Sequence[int]]) -> Corners:
     following[ends - 1] = ends - sizes
     preceding[ends - sizes] = ends - 1
     vertex = np.array([v for face in faces for v in face])
-    return Corners(vertex, np.repeat(np.arange(len(faces)), sizes), following, preceding)
+    corners = Corners(vertex, np.repeat(np.arange(len(faces)), sizes), following, preceding)
+    for row in corners:
+        row.flags.writeable = False
+    return corners
 
 
 def ungrouped(faces: Iterable[Any]) -> list[Any]:

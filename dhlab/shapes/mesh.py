@@ -72,7 +72,7 @@ class Mesh:
         vertices = as_points(self.vertices, "the vertices of a mesh")
         faces = as_faces(self.faces, len(vertices))
         triangles, normals = triangulate(vertices, faces)
-        self._keep(vertices, faces, corners_of(faces), read_only(normals), triangles)
+        self._keep(vertices, faces, corners_of(faces), read_only(normals), _sealed(triangles))
 
     def _keep(self, *checked: Any) -> None:
         for slot, value in zip(fields(self), checked, strict=True):
@@ -171,7 +171,7 @@ class Mesh:
         factors = [
             as_number(f, f"{a} of scaled", above=0) for f, a in zip((x, y, z), "xyz", strict=True)
         ]
-        normals = self.normals / factors
+        normals = self.normals * (min(factors) / np.array(factors))
         normals /= np.linalg.norm(normals, axis=1, keepdims=True)
         return self._with(self.vertices * factors, normals)
 
@@ -214,7 +214,7 @@ def _good(
 ) -> Mesh:
     """Give a mesh of what is known to be good: faces of a mesh that exists."""
     mesh = object.__new__(Mesh)
-    mesh._keep(_sealed(vertices), faces, corners, _sealed(normals), triangles)
+    mesh._keep(_sealed(vertices), faces, corners, _sealed(normals), _sealed(triangles))
     return mesh
 
 

@@ -119,7 +119,7 @@ def test_a_cylinder_is_its_profile_turned(block, profile):
     assert_as_good_as_new(block)
 
 
-@pytest.mark.parametrize("scale", [1e-6, 1, 1e6])
+@pytest.mark.parametrize("scale", [1e-60, 1e-6, 1, 1e6, 1e60])
 def test_a_box_and_a_sphere_of_any_size_are_what_they_say(scale):
     box, ball = shapes.cuboid(scale, 2 * scale, 3 * scale), shapes.sphere(scale, 8)
     assert_allclose(np.ptp(box.bounds, axis=0), [scale, 2 * scale, 3 * scale])
@@ -162,7 +162,8 @@ def test_equal_content_has_an_equal_digest_and_any_change_another():
 
 
 def test_what_a_mesh_gives_cannot_be_written_to():
-    for array in (BOX.vertices, BOX.normals, BOX.triangles, BOX.edges, *BOX.render_arrays()):
+    plain = BOX.vertices, BOX.normals, BOX.triangles, BOX.edges
+    for array in (*plain, *BOX.corners, BOX._triangles, *BOX.render_arrays()):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 0
 

@@ -1,12 +1,15 @@
 """Tables of robots as Python code that makes them again."""
 
+import re
 from collections.abc import Sequence
+from keyword import iskeyword
 
 import numpy as np
 
 from dhlab.kinematics.chain import Chain
 from dhlab.panel.code import number_code
 from dhlab.scene.component import Component
+from dhlab.scene.handle import Names
 
 
 def table_code(components: Sequence[Component]) -> str:
@@ -30,20 +33,21 @@ def table_code(components: Sequence[Component]) -> str:
         dh(0, 0.3, 0, 0),
     ], 'r', name='arm')
     """
-    calls = [_call(component) for component in components]
-    text = "\n".join(calls)
-    names = [name for name in ("deg", "dh", "robot") if f"{name}" in text]
-    head = [f"from dhlab import {', '.join(n for n in names if n != 'deg' or '*deg' in text)}"]
-    if "pi" in text.replace("pitch", ""):
+    variables = Names(["deg", "dh", "pi", "robot"])
+    text = "\n".join(_call(c, variables.take(_variable(c.name))) for c in components)
+    head = [f"from dhlab import {'deg, ' if '*deg' in text else ''}dh, robot"]
+    if re.search(r"\bpi\b", text):
         head.append("from numpy import pi")
     return "\n".join([*head, text])
 
 
-def _call(component: Component) -> str:
-    chain = component.chain
+def _variable(name: str) -> str:
+    return name if name.isidentifier() and not iskeyword(name) else "arm"
+
+
+def _call(component: Component, variable: str) -> str:
+    chain, name = component.chain, component.name
     rows = [f"    dh({', '.join(number_code(x) for x in row)})," for row in chain.rows]
-    name = component.name
-    variable = name if name.isidentifier() else "arm"
     options = "".join(f", {key}={text}" for key, text in _options(chain).items())
     return "\n".join(
         [f"{variable} = robot([", *rows, f"], {chain.joints!r}, name={name!r}{options})"]

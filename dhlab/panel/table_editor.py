@@ -1,6 +1,7 @@
 """A robot's Denavit-Hartenberg tables to be edited: every edit moves the robot at once."""
 
 import weakref
+from contextlib import suppress
 from importlib.resources import files
 from typing import Any
 from uuid import uuid4
@@ -139,14 +140,16 @@ class TableEditor:
         InputError, LimitError
             The input cannot be; nothing has changed.
         """
-        self._edits.edit(self._robot.components[component], row, parameter, text)
+        self._edits.edit(self._component(component), row, parameter, text)
 
     def select(self, row: int | None, parameter: str | None = None, component: int = 0) -> None:
         """Draw a row's numbers as dimensions on the robot, one of them lit up; None for nothing."""
-        for k, other in enumerate(self._robot.components):
-            wanted = (row, parameter) if row is not None and k == component else None
-            if other.dimensions != wanted:
-                other.set(dimensions=wanted)
+        drawn = self._component(component)
+        if row is not None and drawn.dimensions != (row, parameter):
+            drawn.set(dimensions=(row, parameter))
+        for other in self._robot.components:
+            if other.dimensions is not None and (row is None or other is not drawn):
+                other.set(dimensions=None)
 
     def undo(self) -> None:
         """Go back to before the last edit."""
@@ -183,6 +186,15 @@ class TableEditor:
                 for name, value in self._state().items():
                     setattr(self._widget, name, value)
 
+    def _component(self, number: int) -> Component:
+        components = self._robot.components
+        if number not in range(len(components)):
+            known = ", ".join(f"{k} ({c.name})" for k, c in enumerate(components))
+            raise InputError(
+                f"'{self._robot.name}' has no component {number!r}; choose from {known}"
+            )
+        return components[number]
+
     def _state(self) -> dict[str, Any]:
         """What the page shows; the lock is held."""
         return {
@@ -202,7 +214,8 @@ class TableEditor:
         component, row, column, *text = about
         parameter = None if column is None else PARAMETERS[column]
         if what == "focus":
-            self.select(row, parameter, component)
+            with suppress(InputError):  # a page may be behind a robot that has become another
+                self.select(row, parameter, component)
             return
         try:
             self.edit(row, str(parameter), text[0], component)

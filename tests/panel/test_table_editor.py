@@ -6,6 +6,7 @@ import pytest
 from dhlab import InputError, LimitError, TableEditor, View, deg, dh, models, robot, side_by_side
 from dhlab.panel.table_code import table_code
 from dhlab.panel.table_editor import TableWidget
+from dhlab.scene.robot import Robot
 
 
 @pytest.fixture
@@ -145,6 +146,32 @@ def test_the_code_gives_the_robot_back(make):
         made.chain.joints,
         made.chain.convention,
     )
+
+
+def test_the_code_names_each_robot_so_that_it_runs():
+    names = ["robot", "class", "my arm", "arm", "pi", "deg"]
+    made = [robot([dh(0, k, 0, 30 * deg)], "r", name=name) for k, name in enumerate(names)]
+    space = {}
+    exec(table_code([r.own for r in made]), space)
+    again = {r.name: r for r in space.values() if isinstance(r, Robot)}
+    assert list(again) == names
+    for r in made:
+        assert np.array_equal(again[r.name].chain.rows, r.chain.rows)
+
+
+def test_a_component_that_there_is_not_is_refused_before_anything_changes():
+    limb = models.upper_limb()
+    editor = TableEditor(limb)
+    limb.components[0].dimensions = 2
+    words = r"'arm' has no component 6; choose from 0 \(arm\), 1 \(thumb\), 2 \(index\), "
+    with pytest.raises(InputError, match=words):
+        editor.edit(1, "a", "0.1", component=6)
+    with pytest.raises(InputError, match="'arm' has no component -1"):
+        editor.select(1, component=-1)
+    with pytest.raises(InputError, match="the table has rows 1 to 4, got 5"):
+        editor.select(5, component=2)
+    say(editor, "focus", 6, 1, 0)
+    assert limb.components[0].dimensions == (2, None)
 
 
 def test_it_stands_beside_a_view(arm, editor):

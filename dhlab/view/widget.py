@@ -100,6 +100,14 @@ class SceneWidget(anywidget.AnyWidget):
         self._films[number] = take
         self.send({"kind": "film", "number": number})
 
+    def close(self) -> None:
+        """Take the widget out of the page; films that it still waits for will not come."""
+        films = list(self._films.values())
+        self._films.clear()
+        super().close()
+        for take in films:
+            take({"trouble": "the view was closed before it was made"}, [])
+
     def keep(self) -> None:
         """Tell the scene as it is now as state, if it has changed since this was last called."""
         if self._kept != self._wire.sequence:

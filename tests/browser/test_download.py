@@ -135,6 +135,25 @@ film"""
     assert ways[1] - ways[0] > 0.1 * first.shape[1]
 
 
+def test_a_film_whose_output_goes_is_made_by_the_next_one(notebook, browser, tmp_path):
+    path = tmp_path / "again.webm"
+    notebook.run("named")
+    shown = notebook.view("Öl&b: c")
+    shown.wait_until("view.stages.length === 2")
+    notebook.execute(
+        "animate(np.linspace(0, 2, 25), {box: lambda t: transl((0.4 * t - 0.4, 0, 0))})\n"
+        f"film = named.save_film({str(path)!r})"
+    )
+    shown.wait_until("stage.studio.filming && stage.player.time > 0.2", seconds=30)
+    notebook.evaluate("() => jupyterapp.commands.execute('notebook:delete-cell')")
+    shown.wait_until("view.stages.length === 1")
+    notebook.wait_until("film.arrived or film.trouble", seconds=120)
+    assert notebook.value("film.arrived").item() is True
+    _, first, last = played_back(browser, path.read_bytes())
+    ways = [middle(near(picture, ORANGE, tolerance=90))[0] for picture in (first, last)]
+    assert ways[1] - ways[0] > 0.1 * first.shape[1]
+
+
 def test_a_page_that_cannot_film_says_why(notebook):
     able = "MediaRecorder.isTypeSupported"
     notebook.evaluate(f"() => {{ globalThis.able = {able}; {able} = () => false; }}")

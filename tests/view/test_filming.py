@@ -55,6 +55,15 @@ def test_the_file_is_written_when_the_film_arrives(moving, tmp_path):
     assert repr(film) == f"film {film.path}: saved, 0.00 MB"
 
 
+def test_a_view_that_is_closed_says_that_there_will_be_no_film(moving, tmp_path):
+    view, comm = moving
+    made, late = view.save_film(tmp_path / "made.webm"), view.save_film(tmp_path / "late.webm")
+    answer(view, {"film": asked(comm)[0], "ending": "webm"}, b"x")
+    view.close()
+    assert (made.arrived, made.trouble) == (True, "")
+    assert repr(late) == f"no film {late.path}: the view was closed before it was made"
+
+
 def test_the_first_of_several_pages_makes_the_film(moving, tmp_path):
     view, comm = moving
     film = view.save_film(tmp_path / "box.webm")

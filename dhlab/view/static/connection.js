@@ -127,15 +127,11 @@ export class Connection {
   async #film(number) {
     const stage = this.stages.at(-1);
     if (!stage) return void this.#films.push(number);
-    const answer = (told, ...buffers) => this.#model.send({ film: number, ...told }, undefined, buffers);
-    try {
-      const film = await stage.studio.film();
-      if (film) answer({ ending: film.ending }, await film.blob.arrayBuffer());
-      else if (this.stages.includes(stage)) answer({ trouble: "it was ended before it began" });
-      else this.#film(number);
-    } catch ({ message }) {
-      answer({ trouble: message });
-    }
+    const film = await stage.studio.film().catch(({ message }) => ({ trouble: message }));
+    if (!this.stages.includes(stage)) return void this.#film(number);
+    const { blob, ending, trouble = "it was ended before it began" } = film ?? {};
+    const told = blob ? { ending } : { trouble };
+    this.#model.send({ film: number, ...told }, undefined, blob ? [await blob.arrayBuffer()] : []);
   }
 
   #ask() {

@@ -178,7 +178,7 @@ def test_picture_and_27_sliders_are_in_sight_at_once(notebook, sliders, width):
 def test_a_dragged_slider_moves_its_joint_here_and_there(notebook, sliders):
     before = notebook.value("limb.q")
     sliders.drag(0, 25)
-    notebook.page.wait_for_timeout(300)
+    sliders.wait_until_heard(0)
     after = notebook.value("limb.q")
     assert after[0] > before[0] + 0.3
     assert np.array_equal(after[1:], before[1:])
@@ -281,20 +281,17 @@ def test_labels_and_traces_follow_while_the_kernel_is_busy(notebook, sliders):
 
 def test_a_drag_to_the_end_is_the_limit_bit_for_bit(notebook, sliders):
     sliders.drag(2, 400)
-    notebook.page.wait_for_timeout(300)
-    assert notebook.value("limb.q")[2] == notebook.value("limb.limits")[2, 1]
+    notebook.wait_until("limb.q[2] == limb.limits[2, 1]")
 
 
 def test_a_typed_value_moves_the_joint(notebook, sliders):
     sliders.type(3, "133.25")
-    notebook.page.wait_for_timeout(300)
-    assert notebook.value("limb.q")[3] == np.radians(133.25)
+    notebook.wait_until("limb.q[3] == np.radians(133.25)")
 
 
 def test_a_typed_value_beyond_the_limits_ends_at_the_limit(notebook, sliders):
     sliders.type(0, "1000")
-    notebook.page.wait_for_timeout(300)
-    assert notebook.value("limb.q")[0] == np.pi / 2
+    notebook.wait_until("limb.q[0] == np.pi / 2")
 
 
 def test_clicking_into_values_and_out_again_moves_nothing(notebook, sliders):
@@ -392,8 +389,7 @@ def test_a_page_that_is_loaded_again_shows_the_present_robot(notebook, sliders):
     notebook.execute("limb.q = limb.home")
     again.wait_for(np.degrees(notebook.value("limb.home")))
     again.drag(0, 25)
-    notebook.page.wait_for_timeout(500)
-    assert notebook.value("limb.q")[0] > 0.2
+    notebook.wait_until("limb.q[0] > 0.2")
 
 
 def test_a_cell_run_again_leaves_neither_widgets_nor_links_behind(notebook, sliders):

@@ -206,7 +206,6 @@ function fold(title, layout) {
   title.on("change:value", follow);
 }
 
-
 export default () => {
   let ready = null;
   return {

@@ -6,7 +6,7 @@ They stand in ``data/submissions/*.txt``, one below the other, as code after a l
 The code takes the place of the first answer of a good submission; it is the second cell of a good
 one after a line ``# one more cell``, and all of it, cell by cell, after ``# the whole``. Lines
 before the code say what it gets where that is not full marks: ``# dh_link: too slow``,
-``# left out: 2``, ``# noted: network``, ``# needs a sandbox``.
+``# left out: 2``, ``# noted: network``, ``# status: second look``, ``# needs a sandbox``.
 
 Words in capitals between at signs stand for the parts of a good submission, below, and for what
 whoever runs them fills in: ``@OUTSIDE@``, a folder that is nobody's business; ``@PORT@``, where
@@ -94,7 +94,7 @@ def forge(data):
 PARTS["RIGHT"] = PARTS["LINK"].replace("dh_link", "right_link")
 
 GOOD = ("@START@", "@LINK@", "@ROT_Z@", "@R_X@", "@CHECKED@")
-TELLS = re.compile(r"# (dh_link|rot_z|R_x|left out|noted): (.+)\n|# (needs a sandbox)\n")
+TELLS = re.compile(r"# (dh_link|rot_z|R_x|left out|noted|status): (.+)\n|# (needs a sandbox)\n")
 
 
 @dataclass(frozen=True)
@@ -115,6 +115,8 @@ class Submission:
         What a note says, where one is due.
     needs_sandbox : bool
         Whether it does harm without one.
+    status : str
+        What marking says of it as a whole.
     """
 
     name: str
@@ -124,11 +126,7 @@ class Submission:
     left_out: tuple[int, ...] = ()
     noted: str = ""
     needs_sandbox: bool = False
-
-    @property
-    def status(self) -> str:
-        """What marking says of it."""
-        return "partly graded" if self.left_out else "graded"
+    status: str = "graded"
 
 
 def filled(text: str, words: Mapping[str, object]) -> str:
@@ -151,6 +149,7 @@ def read_submission(sort: str, text: str) -> Submission:
         tuple(int(k) for k in told.get("left out", "").split(",") if k),
         told.get("noted", ""),
         "needs a sandbox" in told,
+        told.get("status", "partly graded" if "left out" in told else "graded"),
     )
 
 

@@ -5,19 +5,18 @@ import os
 import re
 import site
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
-from importlib.util import cache_from_source
 from pathlib import Path
 
 import numpy as np
 
-from dhlab.grading.tools import PACKAGE, files_of
+from dhlab.grading.tools import PACKAGE
 
 INSIDE = Path(__file__).resolve().parent / "inside"
 MOUNTED = "/grader/dhlab"
-"""Where a sandbox has the few files of dhlab that do the work, and those of tools."""
+"""Where a sandbox has the few files of dhlab that do the work."""
 
 SYSTEM = ("/usr", "/lib", "/lib32", "/lib64", "/libx32", "/bin", "/sbin", "/nix/store")
 MORE = ("/etc/ld.so.cache", "/etc/fonts")
@@ -33,12 +32,9 @@ class Room:
     ----------
     library : bool
         Whether it is all there, but for what judges and what solves.
-    modules : tuple of str
-        The modules that are there where the whole is not.
     """
 
     library: bool = False
-    modules: Sequence[str] = ()
 
 
 @cache
@@ -93,10 +89,6 @@ def _shown(room: Room) -> Iterator[tuple[str, str]]:
     if room.library:
         yield str(PACKAGE), str(PACKAGE)
     yield str(INSIDE), f"{MOUNTED}/{INSIDE.relative_to(PACKAGE)}"
-    for path in files_of(room.modules):
-        yield str(PACKAGE / path), f"{MOUNTED}/{path}"
-        compiled = Path(cache_from_source(str(PACKAGE / path)))
-        yield str(compiled), str(Path(MOUNTED, path.parent, "__pycache__", compiled.name))
 
 
 def _hidden(room: Room) -> list[Path]:

@@ -9,7 +9,7 @@ from dhlab.grading.asked import Ask, NoValue, Reason
 from dhlab.grading.heard import Heard
 from dhlab.grading.mounts import Room
 from dhlab.grading.sandbox import Limits, Sandbox, SandboxError, check_sandbox, started
-from dhlab.grading.tools import tool_modules
+from dhlab.grading.tools import tool_modules, tool_texts
 from dhlab.grading.values import to_json
 from dhlab.grading.watched import watch
 
@@ -137,10 +137,11 @@ class _Rounds:
             "given": dict(self.given),
             "parts": BESIDE_LIBRARY if library else ["dhlab"],
             "tools": {} if library else dict(self.tools),
+            "texts": {} if library else tool_texts(self.tools),
             "limits": self.limits.told(self.sandbox),
         }
         heard = Heard({k for k, _ in numbered}, asks)
-        room = Room(library=True) if library else Room(modules=tuple(self.tools.values()))
+        room = Room(library)
         try:
             stopped = self._heard_out(job, room, heard)
         except SandboxError:  # nothing has run; a machine out of memory ends a sandbox first

@@ -5,7 +5,6 @@ import os
 import shutil
 import subprocess
 import sys
-from importlib.util import cache_from_source
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +14,7 @@ from dhlab import transl
 from dhlab.errors import InputError
 from dhlab.grading import runner
 from dhlab.grading.asked import Ask
-from dhlab.grading.mounts import MOUNTED, Room, compile_once, mounts, package_folders
+from dhlab.grading.mounts import Room, mounts, package_folders
 from dhlab.grading.runner import run_cells
 from dhlab.grading.sandbox import Limits, SandboxError, check_sandbox, started
 
@@ -174,15 +173,6 @@ def test_nothing_of_dhlab_is_compiled_in_a_sandbox(run, bwrap):
     compiled = run(*cells, kind="csys").replies["x"][0]
     assert len(compiled) > 20
     assert all(compiled)
-
-
-def test_the_files_of_tools_come_with_what_was_compiled_of_them():
-    compile_once()
-    shown = list(mounts(Room(modules=["dhlab.kinematics.transforms"])))
-    targets = [c for a, _, c in zip(shown, shown[1:], shown[2:], strict=False) if a == "--ro-bind"]
-    tools = [Path(target) for target in targets if target.endswith(".py")]
-    assert Path(MOUNTED, "kinematics/transforms.py") in tools
-    assert all(cache_from_source(str(path)) in targets for path in tools)
 
 
 def test_the_time_for_everything_is_limited(sandbox):

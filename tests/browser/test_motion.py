@@ -128,8 +128,8 @@ FRAMES = """(() => {
   const player = { time: 0, start: 0, end: 9, playing: true, loop: false, speed: 1 };
   player.subscribe = (listener) => (tell.push(listener), () => {});
   bar.follow(player);
-  const shown = (at, playing = true) => {
-    Object.assign(player, { time: at / 1000, playing });
+  const shown = (at, changed = {}) => {
+    Object.assign(player, { time: at / 1000, ...changed });
     performance.now = () => 1e9 + at;
     tell[0](player);
     return bar.readout.value.startsWith((at / 1000).toFixed(2)) ? at : null;
@@ -137,7 +137,8 @@ FRAMES = """(() => {
   try {
     const swift = [0, 16, 32, 48].map((at) => shown(at));
     const slow = [150, 250, 350, 450, 550, 650].map((at) => shown(at));
-    return [...swift, ...slow, shown(660, false)].filter((at) => at !== null);
+    const changed = [shown(700, { loop: true }), shown(740), shown(780, { playing: false })];
+    return [...swift, ...slow, ...changed].filter((at) => at !== null);
   } finally {
     performance.now = real;
     bar.follow(null);
@@ -145,8 +146,8 @@ FRAMES = """(() => {
 })()"""
 
 
-def test_the_bar_follows_each_swift_frame_and_of_slow_ones_a_few_a_second(notebook, shown):
-    assert shown.evaluate(FRAMES) == [0, 16, 32, 48, 350, 650, 660]
+def test_the_bar_follows_each_swift_frame_and_each_press_and_slow_ones_seldom(notebook, shown):
+    assert shown.evaluate(FRAMES) == [0, 16, 32, 48, 350, 650, 700, 780]
 
 
 def test_two_views_play_in_step(notebook, shown):

@@ -16,7 +16,7 @@ export class PlayerBar {
   #player = null;
   #leave = () => {};
   #toldAt = 0;
-  #shownAt = 0;
+  #shown = { at: 0, way: "" };
 
   /** `film()` starts a film of the motion or ends it; without it there is no button for that. */
   constructor(film) {
@@ -82,16 +82,18 @@ export class PlayerBar {
     });
   }
 
-  /** While a motion plays, text and slider cost a slow browser a third of each frame. */
+  /** Where frames are slow, text and slider cost a third of each: then time alone is shown seldom. */
   #told() {
     const now = performance.now();
     const swift = now - this.#toldAt < SWIFT;
     this.#toldAt = now;
-    if (swift || !this.#player.playing || now - this.#shownAt > SELDOM) this.#show();
+    const { at, way } = this.#shown;
+    const passing = this.#player.playing && way === wayOf(this.#player);
+    if (swift || !passing || now - at > SELDOM) this.#show();
   }
 
   #show() {
-    this.#shownAt = performance.now();
+    this.#shown = { at: performance.now(), way: wayOf(this.#player) };
     const { time, start, end, playing, loop, speed } = this.#player;
     const state = playing ? "pause" : "play";
     if (this.playButton.dataset.action !== state) {
@@ -104,6 +106,11 @@ export class PlayerBar {
     this.loopButton.setAttribute("aria-pressed", String(loop));
     this.speed.value = String(speed);
   }
+}
+
+/** How a player plays, whatever its time. */
+function wayOf({ playing, loop, speed }) {
+  return `${playing} ${loop} ${speed}`;
 }
 
 function createSlider() {

@@ -473,10 +473,12 @@ def check_goes_on(folder, how, code):
     )
     try:
         wait_until(lambda: rows_written(journal) >= 3 or process.poll() is not None)
+        os.killpg(process.pid, signal.SIGSTOP)  # so that it does not end while it is looked at
         started = psutil.Process(process.pid).children(recursive=True)
     finally:
         send = os.killpg if how == signal.SIGINT else os.kill  # Ctrl-C is heard by all
         send(process.pid, how)
+        os.killpg(process.pid, signal.SIGCONT)
         _, said = process.communicate(timeout=120)
     there = rows_written(journal)
     assert process.returncode == code, said

@@ -25,7 +25,7 @@ view = View("limb").add(limb, gone); panel = Panel(limb)
 side_by_side(view, panel)
 """
 CHANGE = """
-limb.q = limb.clip(limb.home + 0.3)
+limb.set(q=limb.clip(limb.home + 0.3), dimensions=1)
 line = polyline([(0, 0, 0), (0.3, 0, 0), (0.3, 0.2, 0)], name="line")
 view.add(box, line)
 view.remove(gone)
@@ -112,6 +112,8 @@ def test_its_sliders_move_the_picture_without_the_kernel(reopened):
     assert q[0] < limb.q[0] - 0.1
     assert np.degrees(q[0]) == pytest.approx(sliders.values()[0], abs=0.051)
     assert furthest(shown, at(limb, q)) < 1e-6
+    said = shown.evaluate("stage.tree.body('arm/theta/label').text")
+    assert said == f"θ_{{1}} = {np.degrees(value):z.4g}°"
 
 
 def test_a_planned_motion_is_kept_and_plays_from_its_end(open_notebook, save):

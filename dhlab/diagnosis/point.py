@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from dhlab.arrays import as_vector
 from dhlab.diagnosis.product import Factor, Product, evaluate_products
 from dhlab.diagnosis.product_slips import product_slips
-from dhlab.diagnosis.seen import point_seen
+from dhlab.diagnosis.seen import direction_seen, point_seen
 from dhlab.diagnosis.slips import NOTHING, Slip, judge_arrays
 from dhlab.diagnosis.values import TOLERANCE, Floats, Unreadable, numbers
 from dhlab.diagnosis.verdict import Case, Verdict, mistake
@@ -70,10 +70,7 @@ class PointTask:
             return NOTHING
         models = [self._model(inputs) for inputs, _ in cases]
         slips = point_slips(models[0])
-
-        def seen(came: Floats, wanted: Floats) -> str:
-            return point_seen(came, wanted, "the direction" if self.direction else "the point")
-
+        seen = direction_seen if self.direction else point_seen
         return judge_arrays(cases, models, slips, evaluate_points, self._read, seen, self.tolerance)
 
     def _model(self, inputs: Sequence[Any]) -> "Carried":

@@ -51,7 +51,7 @@ def _pose_seen(A: Floats, B: Floats, name: str) -> str:
     return f"{away}; its origin is {origin}." if apart else f"{away}."
 
 
-def point_seen(came: Floats, wanted: Floats, name: str = "the point") -> str:
+def point_seen(came: Floats, wanted: Floats) -> str:
     """Sentence about a point, shape (3,), that lies elsewhere.
 
     Examples
@@ -61,7 +61,26 @@ def point_seen(came: Floats, wanted: Floats, name: str = "the point") -> str:
     >>> point_seen(np.array([0.0, 0, 0]), np.array([0.25, 0, 0]))
     'The point is off, along x alone.'
     """
-    return f"{name[0].upper()}{name[1:]} is {_off(came, wanted)}."
+    return f"The point is {_off(came, wanted)}."
+
+
+def direction_seen(came: Floats, wanted: Floats) -> str:
+    """Sentence about a direction, shape (3,), that is another one.
+
+    Examples
+    --------
+    >>> direction_seen(np.array([1.0, 1, 0]), np.array([1.0, 0, 0]))
+    'The direction points 45 degrees away from the wanted one, and is too long.'
+    """
+    lengths = np.linalg.norm(came), np.linalg.norm(wanted)
+    parts = []
+    if min(lengths) > SMALL:
+        angle = np.arctan2(np.linalg.norm(np.cross(came, wanted)), came @ wanted)
+        if angle > SMALL:
+            parts.append(f"points {degrees(angle):.3g} degrees away from the wanted one")
+    if abs(lengths[0] - lengths[1]) > SMALL * (1 + lengths[1]):
+        parts.append(f"is too {'long' if lengths[0] > lengths[1] else 'short'}")
+    return f"The direction {', and '.join(parts) or 'is not the wanted one'}."
 
 
 def rotation_seen(came: Floats, wanted: Floats, name: str) -> str:

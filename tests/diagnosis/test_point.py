@@ -78,3 +78,15 @@ def test_an_angle_that_is_counted_from_the_ground_is_named(keys):
     asked = PointTask(turn("z", 0.4), slide((0.7, 0, 0)), turn("z", 0.9), point=(0.3, 0, 0))
     links = [length * np.array([np.cos(q), np.sin(q), 0]) for length, q in ((0.7, 0.4), (0.3, 0.9))]
     assert keys(asked.judge([((), sum(links))])) == [{"from-start-3"}]
+
+
+def test_of_a_direction_its_angle_and_its_length_are_seen():
+    asked = PointTask(turn("z", 0.3), point=(0.2, 0.1, 0.4), direction=True)
+    right = asked.reference()
+    for wrong, sentence in (
+        (1.7 * right, "is too long"),
+        (right[[2, 0, 1]], r"points [\d.]+ degrees away from the wanted one\."),
+        (0 * right, "The direction is too short"),
+    ):
+        with pytest.raises(ValueError, match=sentence):
+            raise ValueError(asked.judge([((), wrong)]).seen)

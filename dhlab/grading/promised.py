@@ -31,7 +31,7 @@ def check_problems(cells: Sequence[Cell], questions: Sequence[Question]) -> Iter
     names, checked = [question.name for question in questions], set()
     there = ", ".join(names)
     for cell in cells:
-        for name, call in _checks(cell, _checkers(cells)):
+        for name, call in checks_in(cell, checkers_in(cells)):
             checked.add(name)
             if name not in names:
                 yield (
@@ -79,7 +79,7 @@ def point_problems(cells: Sequence[Cell], questions: Sequence[Question]) -> Iter
             if heading:
                 sections.append((cell.where(row), heading[1], []))
         if sections:
-            found = [name for name, _ in _checks(cell, _checkers(cells)) if name in worth]
+            found = [name for name, _ in checks_in(cell, checkers_in(cells)) if name in worth]
             sections[-1][2].extend(found)
     for where, said, names in sections:
         have = number(sum(worth[name] for name in dict.fromkeys(names)))
@@ -132,7 +132,7 @@ def _plain(text: str) -> str:
     return re.sub(r"\s+", "", text).replace('"', "'")
 
 
-def _checkers(cells: Iterable[Cell]) -> set[str]:
+def checkers_in(cells: Iterable[Cell]) -> set[str]:
     """Names that hold what ``checks(...)`` gives."""
     found: set[str] = set()
     for cell in cells:
@@ -145,7 +145,7 @@ def _checkers(cells: Iterable[Cell]) -> set[str]:
     return found
 
 
-def _checks(cell: Cell, checkers: set[str]) -> Iterator[tuple[str, ast.Call]]:
+def checks_in(cell: Cell, checkers: set[str]) -> Iterator[tuple[str, ast.Call]]:
     """Yield the name of each question that a cell checks, with the call."""
     for call in calls_of(cell, checkers):
         first = call.args[0] if call.args else None

@@ -2,7 +2,7 @@
 
 import re
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,7 +13,13 @@ from dhlab.grading.asked import NoValue
 from dhlab.grading.check import packed
 from dhlab.grading.exercise import Exercise, load_exercise
 from dhlab.grading.judge import ASK_INSTRUCTOR, CANNOT, UNJUDGED, Judged, judge
-from dhlab.grading.promised import check_problems, given_away, point_problems
+from dhlab.grading.promised import (
+    check_problems,
+    checkers_in,
+    checks_in,
+    given_away,
+    point_problems,
+)
 from dhlab.grading.question import Question
 from dhlab.grading.source import Cell, assigned, blanked, read_cells, with_checks
 from dhlab.grading.trial import Namespace, check_of, for_student, run_cell, run_cells
@@ -129,12 +135,12 @@ def answer_problems(source: Source) -> Iterator[str]:
 def failing(source: Source, student: str) -> Iterator[tuple[str, str]]:
     """Yield the questions whose answers fail with a student's numbers, each with what is said."""
     try:
-        names = run_cells(for_student(source.solved, student))
+        names, seen = solved(source, student, source.names)
     except DhlabError as error:
         yield "", f"{error}{_whose(student)}"
         return
     for seed in range(3):
-        for judged in judged_all(source, names, seed):
+        for judged in (seen.get(j.name, j) for j in judged_all(source, names, seed)):
             if judged.reason == UNJUDGED:
                 why = judged.text.removeprefix(CANNOT).removesuffix(ASK_INSTRUCTOR).strip(" .")
                 where = f"{source.exercise.where}: the task of {judged.name!r}"
@@ -145,6 +151,30 @@ def failing(source: Source, student: str) -> Iterator[tuple[str, str]]:
                     f"{_place(source, judged.name)}: the answer to {judged.name!r} fails its own "
                     f"checks{_whose(student)}: {judged.text}",
                 )
+
+
+def solved(
+    source: Source,
+    student: str,
+    wanted: Collection[str],
+    after: Callable[[Cell, Namespace], None] | None = None,
+) -> tuple[Namespace, dict[str, Judged]]:
+    """Run the answers with a student's numbers; of the plain values wanted say how they are judged.
+
+    As when it is marked, these count as their checks saw them last.
+    """
+    seen: dict[str, Judged] = {}
+    checkers = checkers_in(source.solved)
+
+    def look(cell: Cell, names: Namespace) -> None:
+        if after is not None:
+            after(cell, names)
+        checked = {name for name, _ in checks_in(cell, checkers) if name in wanted}
+        for question in asked(source, names) if checked else ():
+            if question.name in checked and not question.is_function:
+                seen[question.name] = judged_one(source.exercise, question, names, None)
+
+    return run_cells(for_student(source.solved, student), look), seen
 
 
 def mistake_problems(source: Source, wrong: Wrong) -> Iterator[str]:
@@ -158,13 +188,13 @@ def mistake_problems(source: Source, wrong: Wrong) -> Iterator[str]:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # degrees for radians warn, and so they should
             try:
-                names = run_cells(for_student(source.solved, student), instead)
+                names, seen = solved(source, student, [wrong.name], instead)
             except DhlabError as error:
                 yield str(error)
                 return
         question = next(q for q in asked(source, names) if q.name == wrong.name)
         for seed in (None, 0):
-            judged = judged_one(source.exercise, question, names, seed)
+            judged = seen.get(wrong.name) or judged_one(source.exercise, question, names, seed)
             problem = _amiss(wrong, judged)
             if problem:
                 yield f"{wrong.cell.where()}: {problem}{_whose(student)}: {judged.text}"

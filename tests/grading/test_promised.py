@@ -134,6 +134,24 @@ def test_what_follows_from_another_problem_is_not_told(folder, edit):
     assert "no cell checks 'R'" in missing
 
 
+def test_a_value_is_proved_as_its_check_sees_it(folder, edit):
+    edit(
+        "exercise.py", "check.show(yours, R)", "check.show(yours, R)\nif R is not ...:\n    R *= 0"
+    )
+    assert build(folder).changed
+
+
+def test_an_answer_that_is_right_only_after_its_check_is_refused(folder, edit):
+    edit("exercise.py", "R = first @ rot_z(0.7)", "R = first + 0")
+    edit(
+        "exercise.py",
+        "# %% yours",
+        "# %%\n### BEGIN SOLUTION\nR[:] = first @ rot_z(0.7)\n### END SOLUTION\n\n# %% yours",
+    )
+    (said,) = [line for line in refused(folder) if "fails its own checks" in line]
+    assert said.startswith("exercise.py, line 27: the answer to 'R' fails")
+
+
 def test_a_question_that_was_renamed_in_the_checks_alone_is_told_so(folder, edit):
     edit("checks.py", 'Question("R",', 'Question("R_own",')
     edit("wrong.py", "# %% R: reversed-order\nR =", "# %% R_own: reversed-order\nR_own =")

@@ -45,7 +45,8 @@ def main() -> None:
     for k, ask in enumerate(job["asks"]):
         say(question=k)
         if ask["name"] in stage.seen:
-            say(question=k, case=0, **stage.seen[ask["name"]])
+            for j in range(len(ask["cases"])):
+                say(question=k, case=j, **stage.seen[ask["name"]])
         else:
             say(end=k, **asked_apart(k, ask, names, say, job["limits"]))
     say(done=True)

@@ -29,9 +29,9 @@ def check_problems(cells: Sequence[Cell], questions: Sequence[Question]) -> Iter
         With its place.
     """
     names, checked = [question.name for question in questions], set()
-    there = ", ".join(names)
+    there, checkers = ", ".join(names), checkers_in(cells)
     for cell in cells:
-        for name, call in checks_in(cell, checkers_in(cells)):
+        for name, call in checks_in(cell, checkers):
             checked.add(name)
             if name not in names:
                 yield (
@@ -59,6 +59,7 @@ def point_problems(cells: Sequence[Cell], questions: Sequence[Question]) -> Iter
     cells : sequence of Cell
         As students get them.
     questions : sequence of Question
+        All that is checked.
 
     Yields
     ------
@@ -67,26 +68,38 @@ def point_problems(cells: Sequence[Cell], questions: Sequence[Question]) -> Iter
     """
     worth = {question.name: question.points for question in questions}
     total = number(sum(worth.values()))
-    sections: list[tuple[str, str, list[str]]] = []
     for cell in cells:
-        for row, line in enumerate(cell.source.splitlines() if cell.kind == "markdown" else ()):
-            together, heading = TOGETHER.search(line), WORTH.match(line)
+        for row, line in enumerate(_text(cell)):
+            together = TOGETHER.search(line)
             if together and number(float(together[1])) != total:
                 yield (
                     f"{cell.where(row)}: the text says {together[1]} points; the questions of "
                     f"checks.py have {total} together"
                 )
-            if heading:
-                sections.append((cell.where(row), heading[1], []))
-        if sections:
-            found = [name for name, _ in checks_in(cell, checkers_in(cells)) if name in worth]
-            sections[-1][2].extend(found)
-    for where, said, names in sections:
-        have = number(sum(worth[name] for name in dict.fromkeys(names)))
+    for where, said, names in _sections(cells):
+        have = number(sum(worth[name] for name in names))
         if number(float(said)) != have:
-            below = f"checks.py has {have} for {' and '.join(dict.fromkeys(names))}"
+            below = f"checks.py has {have} for {' and '.join(names)}"
             below = below if names else "no question is checked below it"
             yield f"{where}: the heading says {said} points; {below}"
+
+
+def _sections(cells: Sequence[Cell]) -> list[tuple[str, str, dict[str, None]]]:
+    """Place and points of each heading that tells some, with the questions checked below it."""
+    found: list[tuple[str, str, dict[str, None]]] = []
+    checkers = checkers_in(cells)
+    for cell in cells:
+        for row, line in enumerate(_text(cell)):
+            heading = WORTH.match(line)
+            if heading:
+                found.append((cell.where(row), heading[1], {}))
+        if found:
+            found[-1][2].update((name, None) for name, _ in checks_in(cell, checkers))
+    return found
+
+
+def _text(cell: Cell) -> list[str]:
+    return cell.source.splitlines() if cell.kind == "markdown" else []
 
 
 def given_away(

@@ -182,7 +182,10 @@ class ArrangementTask:
             Placed(self._products(i)[name], self._parent(c, name), c, w)
             for i, c, w in zip(inputs, came, wanted, strict=True)
         ]
-        slips = arrangement_slips(models[0], name, self.parents.get(name), list(self.frames))
+        others = list(self.frames)
+        if name not in self.parents:  # of one in the world's origin nothing else is to be said
+            others = [n for n in others if any(not close(w[n], np.eye(4)) for w in wanted)]
+        slips = arrangement_slips(models[0], name, self.parents.get(name), others)
         values = [c[name] for c in came]
         return explain(models, values, slips, evaluate_placed, self.tolerance)
 

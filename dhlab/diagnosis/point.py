@@ -17,7 +17,7 @@ from dhlab.diagnosis.verdict import Case, Verdict, mistake
 from dhlab.errors import InputError
 
 Use: TypeAlias = Callable[[Floats, Floats], Floats]
-SHAPES = [(3,), (4,), (3, 1), (4, 1), (1, 3), (1, 4)]
+ALSO = [(4,), (3, 1), (4, 1), (1, 3), (1, 4)]
 
 
 class PointTask:
@@ -80,7 +80,7 @@ class PointTask:
         return Carried(product, as_vector(point, "point"), use)
 
     def _read(self, value: Any) -> Floats:
-        p = numbers(value, SHAPES).ravel()
+        p = numbers(value, [(3,)], also=ALSO).ravel()
         last = 0 if self.direction else 1
         if len(p) == 4 and abs(p[3] - last) > self.tolerance:
             what = "direction" if self.direction else "point"

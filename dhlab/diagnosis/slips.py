@@ -186,7 +186,7 @@ def _all_changed(model: M, chains: Sequence[Chained[M]]) -> list[M]:
 
 
 def _tells_little(values: Sequence[Floats], right: Sequence[Floats]) -> bool:
-    """Whether two or less numbers are wrong, or one in all cases: no two slips are told by them."""
+    """Whether less than three numbers are wrong, or one in all cases: that tells no two slips."""
     if any(v.shape != right[0].shape for v in (*values, *right)):
         return False
     off = [np.abs(v - r) > EXACT * (1 + np.abs(r)) for v, r in zip(values, right, strict=True)]

@@ -182,12 +182,10 @@ def _read(value: Any, shape: tuple[int, ...]) -> Floats:
 
 def _rows(value: Any, shape: tuple[int, ...], what: str) -> Floats:
     m, n = shape
-    shapes: list[tuple[int, ...]] = [(m, n)]
-    if 1 in (m, n):
-        shapes = [(m * n,), (m, n), (n, m)]
-    if m == n == 1:
-        shapes = [(), *shapes]
-    return numbers(value, shapes, what).reshape(m, n)
+    if 1 not in (m, n):
+        return numbers(value, [(m, n)], what)
+    also = [(m, n), (n, m), *([()] if m == n == 1 else [])]
+    return numbers(value, [(m * n,)], what, also).reshape(m, n)
 
 
 def _seen(came: Floats, wanted: Floats, answer: Answer, tolerance: float) -> str:

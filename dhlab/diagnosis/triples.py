@@ -81,7 +81,7 @@ class AnglesTask:
         return _rotation(self.rotation(*inputs)) if callable(self.rotation) else self.rotation
 
     def _read(self, value: Any) -> "Triple":
-        return Triple(numbers(value, [(3,), (3, 1), (1, 3)]).ravel(), self.kind)
+        return Triple(numbers(value, [(3,)], also=[(3, 1), (1, 3)]).ravel(), self.kind)
 
 
 @dataclass(frozen=True, eq=False)

@@ -25,8 +25,15 @@ class Unreadable(Exception):
     """What came is no answer of the kind asked for; the text is a sentence for the student."""
 
 
-def numbers(value: Any, shapes: Sequence[tuple[int, ...]], what: str = "the answer") -> Floats:
+def numbers(
+    value: Any,
+    shapes: Sequence[tuple[int, ...]],
+    what: str = "the answer",
+    also: Sequence[tuple[int, ...]] = (),
+) -> Floats:
     """Array of finite numbers in one of the shapes (-1 is any length), or `Unreadable`.
+
+    The shapes that are `also` taken, such as a column for a point, are not spoken of.
 
     Examples
     --------
@@ -41,7 +48,7 @@ def numbers(value: Any, shapes: Sequence[tuple[int, ...]], what: str = "the answ
     if isinstance(value, str | bytes):
         raise Unreadable(f"{head} is text; numbers are asked for.")
     a = _array(value, head)
-    if not any(_fits(a.shape, s) for s in shapes):
+    if not any(_fits(a.shape, s) for s in (*shapes, *also)):
         names = " or ".join(_shape_text(s) for s in shapes)
         raise Unreadable(f"{head} has shape {a.shape}; shape {names} is asked for.")
     if np.isnan(a).any():

@@ -105,3 +105,9 @@ def test_a_pose_that_is_inverted_is_told_in_one_way(keys):
     pose = rp2t(rotz(0.5), (0.1, 0.2, 0.3))
     verdict = ArrangementTask({"H": pose}).judge([((), {"H": inverse(pose)})])
     assert keys(verdict) == [{"inverse"}]
+
+
+def test_a_frame_left_in_the_origin_is_told_in_one_way(keys):
+    frames = {"R": np.eye(4), "H": rp2t(rotz(0.5), (0.1, 0.2, 0.3))}
+    verdict = ArrangementTask(frames).judge([((), {"R": np.eye(4), "H": np.eye(4)})])
+    assert keys(verdict) == [{"not-moved"}]

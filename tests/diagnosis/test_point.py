@@ -90,3 +90,8 @@ def test_of_a_direction_its_angle_and_its_length_are_seen():
     ):
         with pytest.raises(ValueError, match=sentence):
             raise ValueError(asked.judge([((), wrong)]).seen)
+
+
+def test_of_the_shapes_that_are_taken_only_the_usual_one_is_told():
+    text = PointTask(turn("z", 0.4), point=(0.1, 0.2, 0.5)).judge([((), (1, 2))]).text
+    assert text == "The answer has shape (2,); shape (3,) is asked for."

@@ -43,10 +43,12 @@ START = f"(code) => ({{ ended: ({EXECUTE})(code) }})"
 ENDED = "({ ended }) => ended"
 
 HOLD = """
-import pathlib, time
-pathlib.Path({begun!r}).touch()
-while not pathlib.Path({over!r}).exists():
-    time.sleep(0.01)
+import contextlib, pathlib, time
+from dhlab.scene.handle import CHANGES
+with contextlib.nullcontext() if {hears} else CHANGES:
+    pathlib.Path({begun!r}).touch()
+    while not pathlib.Path({over!r}).exists():
+        time.sleep(0.01)
 """
 PATIENCE = 60  # seconds that a kernel may take to come to what it is asked
 
@@ -163,11 +165,15 @@ class Notebook(Window):
         return str(said)
 
     @contextmanager
-    def busy(self, code: str = "") -> Iterator[None]:
-        """Let the kernel run code, and then keep it busy for as long as the block runs."""
+    def busy(self, code: str = "", *, hears: bool = False) -> Iterator[None]:
+        """Let the kernel run code, and then keep it busy for as long as the block runs.
+
+        JupyterLab may send what widgets say to a subshell, a thread beside the running cell: that
+        is kept waiting too, unless the kernel `hears` and tells of changes meanwhile.
+        """
         number = next(NUMBERS)
         begun, over = (self.lab.root / f"{what}_{number}" for what in ("begun", "over"))
-        hold = HOLD.format(begun=str(begun), over=str(over))
+        hold = HOLD.format(begun=str(begun), over=str(over), hears=hears)
         running = self.page.evaluate_handle(START, f"{code}\n{hold}")
         try:
             limit = monotonic() + PATIENCE

@@ -307,6 +307,20 @@ def test_an_older_answer_of_the_kernel_does_not_pull_a_dragged_joint_back(notebo
     shown.evaluate("delete stage.moved")
 
 
+def test_a_kernel_that_hears_late_ends_a_motion_and_does_not_pull_a_joint_back(notebook, shown):
+    notebook.execute("animate(t, {arm: move}); main.flush()")
+    shown.wait_until(f"{PLAYERS}[0]?.time === 1.5 && !{PLAYERS}[0].playing")
+    key = shown.evaluate(joint(1, "joint.key"))
+    shown.evaluate(f"({PAGE}.ahead.add({key!r}), {PAGE}.publish({{[{key!r}]: 0.25}}, 'slider'))")
+    notebook.execute("arm.q = [0.2, 0.2, 0]; main.flush()")
+    shown.wait_until(f"{PLAYERS}.length === 0 && {joint(1, 'value')} === 0.2")
+    assert [shown.evaluate(joint(k)) for k in (1, 2, 3)] == [0.25, 0.2, 0]
+    notebook.execute("arm.q = [0.3, 0.2, 0]; main.flush()")
+    shown.evaluate(f"{PAGE}.ahead.delete({key!r})")
+    shown.wait_until(f"{joint(1, 'heldUntil')} === 0")
+    assert shown.evaluate(joint(1)) == 0.3
+
+
 def test_a_slider_takes_over_from_a_motion_until_it_is_played_again(notebook, shown):
     notebook.execute("animate(t, {arm: move}); main.flush()")
     shown.wait_until(f"{joint(1)} > -0.95")

@@ -150,7 +150,7 @@ def test_ten_thousand_changes_end_at_once_and_the_last_is_seen(notebook, shown):
 
 
 def test_the_last_change_is_seen_while_the_cell_still_runs(notebook, shown):
-    with notebook.busy("for k in range(100): box.move((k / 100, 0, 0))"):
+    with notebook.busy("for k in range(100): box.move((k / 100, 0, 0))", hears=True):
         shown.wait_until("Math.abs(view.pose('box')[3] - 0.99) < 1e-6", seconds=30)
 
 

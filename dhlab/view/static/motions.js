@@ -111,7 +111,8 @@ export class Motions {
 
   #settle(node) {
     Object.assign(node, { moving: false, released: null });
-    Object.assign(node.shown, { value: node.value, pose: node.pose, count: Infinity });
+    if (!this.#scene.holds(node)) node.shown.value = node.value;
+    Object.assign(node.shown, { pose: node.pose, count: Infinity });
     this.#scene.tell("moved", node);
   }
 

@@ -62,6 +62,11 @@ export class Scene {
     this.#motions.survey(look);
   }
 
+  /** Whether a slider of the page has moved a joint and the kernel is behind. */
+  holds({ joint, heldUntil }) {
+    return performance.now() < heldUntil || sharedPage().ahead.has(joint?.key);
+  }
+
   tell(event, ...about) {
     for (const observer of this.observers) observer[event](...about);
     const [node] = about;
@@ -134,7 +139,7 @@ export class Scene {
   #place(id, what, state) {
     const node = this.nodes.get(id);
     node[what] = state;
-    if (what === "value" && this.#isHeld(node)) return;
+    if (what === "value" && this.holds(node)) return;
     node.shown[what] = state;
     if (what === "value") sharedPage().joints.set(node.joint.key, state);
     this.tell("moved", node);
@@ -206,10 +211,6 @@ export class Scene {
     clearTimeout(node.settling);
     node.heldUntil = performance.now() + HOLD;
     node.settling = setTimeout(() => this.#settle(node, assigned), HOLD);
-  }
-
-  #isHeld({ joint, heldUntil }) {
-    return performance.now() < heldUntil || sharedPage().ahead.has(joint.key);
   }
 
   /** The kernel has the last word, if it has said one since a joint was `assigned` its value. */

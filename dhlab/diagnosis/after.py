@@ -50,6 +50,11 @@ def mirrored(T: Floats, k: int) -> Floats:
     return out
 
 
+def hand_of(m: Mistake) -> str:
+    """What a slip is about: two axes that are turned round make a right-handed frame again."""
+    return "hand" if m.key.startswith("left-handed") else ""
+
+
 def after_slips(rotation: bool, slides: bool = True) -> Iterator[tuple[Mistake, After]]:
     """Mistakes made with a whole matrix; of a rotation alone, and of a pose with an origin."""
     if rotation:

@@ -222,6 +222,7 @@ def _in_product(P: Product, name: str) -> Iterator[Slip[Placed]]:
                 m, product=change(m.product)
             ),
             alone=slip.alone,
+            about=slip.about,
         )
 
 

@@ -7,7 +7,7 @@ from math import degrees, pi, radians
 
 import numpy as np
 
-from dhlab.diagnosis.after import after_slips
+from dhlab.diagnosis.after import after_slips, hand_of
 from dhlab.diagnosis.end_slips import end_slips, no_offset, offset_slips, parts_of_ends
 from dhlab.diagnosis.product import After
 from dhlab.diagnosis.slips import Slip
@@ -52,7 +52,7 @@ def table_slips(chain: Chain) -> list[Slip[Table]]:
 
 
 def _after(m: Mistake, change: After) -> Slip[Table]:
-    return Slip(m, lambda t: replace(t, after=(*t.after, change)))
+    return Slip(m, lambda t: replace(t, after=(*t.after, change)), about=hand_of(m))
 
 
 def _edit(change: Callable[[Floats], None]) -> Callable[[Table], Table]:

@@ -135,7 +135,8 @@ def _in_product(product: Product) -> Iterator[Slip[Carried]]:
                 lambda m, change=slip.change: replace(  # type: ignore[misc]
                     m, product=change(m.product)
                 ),
-                alone=slip.alone or slip.mistake.key.startswith("left-handed"),
+                alone=slip.alone or slip.about == "hand",
+                about=slip.about,
             )
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from dhlab.diagnosis.after import after_slips, negated_origin, transposed
+from dhlab.diagnosis.after import after_slips, hand_of, negated_origin, transposed
 from dhlab.diagnosis.product import Move, Product
 from dhlab.diagnosis.slips import Slip
 from dhlab.diagnosis.turn_slips import turn_slips
@@ -42,7 +42,7 @@ def product_slips(
     ]
     origin = any(m.kind != "turn" for m in moves)
     slips += [
-        Slip(m, lambda p, change=change: p.then(change))  # type: ignore[misc]
+        Slip(m, lambda p, change=change: p.then(change), about=hand_of(m))  # type: ignore[misc]
         for m, change in after_slips(rotation, origin)
     ]
     return slips

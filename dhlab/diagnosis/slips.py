@@ -33,12 +33,13 @@ class Slip(Generic[M]):
 
     One that is `alone` is not looked for together with another: it is a slip of the pen, and with
     any other would explain too much. It is named with another one only beside a pair that does
-    the same.
+    the same. Nor are two that are `about` one thing, such as one angle, looked for together.
     """
 
     mistake: Mistake
     change: Callable[[M], M]
     alone: bool = False
+    about: str = ""
 
 
 Evaluate = Callable[[Sequence[M]], Sequence[Floats]]
@@ -159,16 +160,11 @@ def verdict_of(seen: str, explanations: Sequence[Explanation]) -> Verdict:
 
 def _pairs(slips: Sequence[Slip[M]]) -> list[Chained[M]]:
     pairs = combinations([s for s in slips if not s.alone], 2)
-    return [pair for pair in pairs if not all(map(_mirrors, pair))]
+    return [(a, b) for a, b in pairs if not a.about or a.about != b.about]
 
 
 def _pairs_of_the_pen(slips: Sequence[Slip[M]]) -> list[Chained[M]]:
     return [pair for pair in combinations(slips, 2) if any(s.alone for s in pair)]
-
-
-def _mirrors(slip: Slip[M]) -> bool:
-    """Whether an axis is turned round; two of them make a right-handed frame again."""
-    return slip.mistake.key.startswith("left-handed")
 
 
 def _all_changed(model: M, chains: Sequence[Chained[M]]) -> list[M]:

@@ -181,6 +181,7 @@ def _single(kind: str) -> Iterator[Slip[Triple]]:
             yield Slip(
                 mistake(key, when, question),
                 lambda t, k=k, change=change: t.with_angle(k, change),  # type: ignore[misc]
+                about=angle,
             )
 
 

@@ -22,6 +22,7 @@ def turn_slips(moves: Sequence[Move], names: Sequence[str]) -> Iterator[Slip[Pro
         yield Slip(
             mistake(f"sign-{k + 1}", f"{names[k]} goes the wrong way round", HAND),
             lambda p, k=k: p.changed(k, angle=-p.moves[k].angle),  # type: ignore[misc]
+            about=f"angle {k}",
         )
         yield Slip(
             mistake(
@@ -30,6 +31,7 @@ def turn_slips(moves: Sequence[Move], names: Sequence[str]) -> Iterator[Slip[Pro
                 "What must the matrix be when its angle is 0?",
             ),
             lambda p, k=k: p.changed(k, angle=pi / 2 - p.moves[k].angle),  # type: ignore[misc]
+            about=f"angle {k}",
         )
         if isinstance(moves[k].axis, str):
             yield Slip(

@@ -12,7 +12,7 @@ SHAPE = [(0.9, 0), (-0.5, 0.6), (-0.3, 0), (-0.5, -0.6)]
 
 def numbers(rng):
     """The attitude of a student's plane: no two angles are equal or make a right angle."""
-    roll, pitch, yaw = rng.integers([15, 46, 76], [31, 56, 89]) * rng.choice([-1, 1], 3)
+    roll, pitch, yaw = rng.integers([15, 52, 76], [31, 59, 83]) * rng.choice([-1, 1], 3)
     return {"R": rpy2r(roll * deg, pitch * deg, yaw * deg).round(9).tolist()}
 
 

@@ -58,6 +58,8 @@ def test_mistakes_with_angles_are_named(kind, made, tally):
     slips = triple_slips(kind)
     for _ in range(300):
         chosen = [slips[k] for k in sorted(rng.choice(len(slips), made, replace=False))]
+        if made == 2 and chosen[0].about and chosen[0].about == chosen[1].about:
+            continue
         cases = []
         for angles in rng.uniform(-1.2, 1.2, (3, 3)):
             model = Triple(angles, kind)

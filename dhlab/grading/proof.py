@@ -84,10 +84,11 @@ def prove(source: Source) -> None:
         to be; there are too few wrong ones. What would follow from a problem is not looked at.
     """
     asked_amiss = list(check_problems(source.released, source.questions))
-    problems = [*asked_amiss, *wrong_problems(source)]
-    problems += given_away(source.solved, source.released, source.questions)
+    problems = [*asked_amiss, *given_away(source.solved, source.released, source.questions)]
     if not asked_amiss:
         problems += point_problems(source.released, source.questions)
+    problems += wrong_problems(source)
+    if not asked_amiss:
         running = [*blank_problems(source), *answer_problems(source)]
         if not running:
             known = [wrong for wrong in source.wrong if wrong.name in source.names]

@@ -70,7 +70,9 @@ PLAYED_BACK = """async (base64) => {
   const context = canvas.getContext("2d", { willReadFrequently: true });
   const pictures = [];
   for (const time of [0, duration]) {
+    const drawn = new Promise((there) => video.requestVideoFrameCallback(there));
     await new Promise((there) => { video.onseeked = there; video.currentTime = time; });
+    await Promise.race([drawn, new Promise((late) => setTimeout(late, 2000))]);  // none if the same
     context.drawImage(video, 0, 0);
     pictures.push(canvas.toDataURL("image/png"));
   }

@@ -25,9 +25,10 @@ CELLS = (
     "from dhlab import View, animate, models\nlimb = models.upper_limb()",
     "View('limb').add(limb)",
 )
-BUSY = (
-    f"import time\nend = time.monotonic() + {SECONDS + 2}\n"
-    "while time.monotonic() < end:\n    sum(range(10_000))"
+BURN = (
+    "import threading\nburning = True\n"
+    "def burn():\n    while burning:\n        sum(range(10_000))\n"
+    "threading.Thread(target=burn, daemon=True).start()"
 )
 PLAY = """async (still) => {
   const page = globalThis[Symbol.for("dhlab.page")];
@@ -83,9 +84,9 @@ def measure() -> Iterator[Row]:
         for _ in range(ROUNDS):
             rates["still"].append(notebook.evaluate(PLAY, True))
             rates["idle"].append(notebook.evaluate(PLAY, False))
-            notebook.start(BUSY)
-            rates["busy"].append(notebook.evaluate(PLAY, False))
-            notebook.execute("")
+            with notebook.busy(BURN):
+                rates["busy"].append(notebook.evaluate(PLAY, False))
+            notebook.execute("burning = False")
         script = median(notebook.evaluate(SCRIPT))
         notebook.page.close()
         page = desk.browser.new_page(viewport={"width": 1280, "height": 1200})

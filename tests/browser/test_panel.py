@@ -238,7 +238,10 @@ def test_a_slider_moves_all_bodies_in_the_same_frame_while_the_kernel_is_busy(
     notebook.execute("limb.q = limb.clip(limb.home - 0.1); view.flush(); panel.flush()")
     sliders.wait_for(np.degrees(notebook.value("limb.q")))
     handle = sliders.handle(index).element_handle()
-    notebook.view("limb").evaluate("stage.element.scrollIntoView({ block: 'center' })")
+    shown = notebook.view("limb")
+    shown.evaluate("stage.element.scrollIntoView({ block: 'center' })")
+    # what a hand has moved stays for a moment where the hand left it
+    shown.wait_until("[...view.scene.nodes.values()].every((node) => !node.heldUntil)")
     with notebook.busy():
         seen = notebook.page.evaluate(SAME_FRAME, handle)
     assert seen["frames"] == 1

@@ -85,6 +85,8 @@ class _Way(NamedTuple):
 def namings(wanted: Sequence[Part], came: Sequence[Part], free: Freedom) -> Iterator[Naming]:
     """Find all renamings of the joints under which all tips move alike, one for each of senses.
 
+    Where none is needed, that comes first, at once: most right answers are of this kind.
+
     Parameters
     ----------
     wanted, came : sequence of Part
@@ -96,6 +98,9 @@ def namings(wanted: Sequence[Part], came: Sequence[Part], free: Freedom) -> Iter
     ways = _ways(wanted, came, free)
     if all(way.wanted.numbers == way.came.numbers for way in ways):
         n = sum(part.chain.n for part in wanted)
+        plain = Naming(np.ones(n), Zeros.of(n, settled=True))
+        if apart(wanted, came, plain, free) is None:
+            yield plain
         for named in _search(ways, {}, Zeros.of(n, settled=not free.zero), free.zero):
             if apart(wanted, came, named, free) is None:
                 yield named

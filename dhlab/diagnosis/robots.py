@@ -129,7 +129,7 @@ class RobotTask:
         wrong = self._beside(wanted, values, named)
         if wrong is not None and all(self._beside(wanted, values, other) for other in found):
             return wrong
-        return Verdict(True, self._choices(wanted, values))
+        return Verdict(True, self._choices(wanted, came, values))
 
     def _elsewhere(
         self, wanted: Sequence[Part], came: Sequence[Part], values: Sequence[Mapping[str, Any]]
@@ -164,8 +164,12 @@ class RobotTask:
             choices.append(verdict.seen)
         return Verdict(True, " ".join(filter(None, choices)))
 
-    def _choices(self, wanted: Sequence[Part], values: Sequence[Mapping[str, Any]]) -> str:
-        """Say which of the right robots it is."""
+    def _choices(
+        self, wanted: Sequence[Part], came: Sequence[Part], values: Sequence[Mapping[str, Any]]
+    ) -> str:
+        """Say which of the right robots it is; nothing of the one that has our tables."""
+        if all(_is_ours(a.chain, b.chain) for a, b in zip(wanted, came, strict=True)):
+            return ""
         found = [t.matching(v) for t, v in zip(self._tasks(wanted), values, strict=True)]
         right = [match for match in found if match is not None]
         return OTHERWISE if len(right) < len(found) else " ".join(filter(None, map(choice, right)))
@@ -203,3 +207,9 @@ class RobotTask:
             return []
         names = [b.name.split("/")[-1] for b in self.robot.branches if b.chain.n]
         return names if len(names) > 1 else []
+
+
+def _is_ours(wanted: Chain, came: Chain) -> bool:
+    """Whether a table that came tells the same frames as ours."""
+    told = ("joints", "convention", "rows", "base", "grasper", "offset")
+    return all(np.array_equal(getattr(wanted, name), getattr(came, name)) for name in told)

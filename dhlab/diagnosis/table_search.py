@@ -16,6 +16,8 @@ from dhlab.kinematics.chain import Chain
 Matches: TypeAlias = Callable[[Chain, Chain], bool]
 NEAR = 1e-3
 """Links as near as this are looked at closely; this is no bound on what is right."""
+SAME = 1e-4
+"""Numbers of a table as near as this are the same: room for four digits, not for a thousandth."""
 MATCHES = 400
 """So many pairs are looked at closely, at most: an answer at once is worth more than the last."""
 
@@ -231,7 +233,7 @@ def _told(chain: Chain, convention: str) -> Floats:
 
 
 def _same(a: Floats, b: Floats) -> NDArray[np.bool_]:
-    out: NDArray[np.bool_] = np.abs(a - b) <= NEAR * (1 + np.abs(b))
+    out: NDArray[np.bool_] = np.abs(a - b) <= SAME * (1 + np.abs(b))
     return out
 
 
@@ -241,6 +243,6 @@ def _holds_displaced(table: Table, came: Chain) -> bool:
         variable = 3 if kind == "r" else 2
         for place, column in enumerate(table.columns):
             moved = column not in (place, variable)
-            if moved and abs(abs(there[place]) - abs(row[column])) > NEAR:
+            if moved and abs(abs(there[place]) - abs(row[column])) > SAME:
                 return False
     return True

@@ -91,10 +91,7 @@ def _is_one_number(wanted: Chain, came: Chain) -> bool:
     alike = all(np.allclose(one, other, atol=NEAR) for one, other in ends)
     if came.convention != wanted.convention or not alike:
         return False
-    off = np.abs(np.subtract(came.rows, wanted.rows)) > NEAR
-    for i, kind in enumerate(wanted.kinds):
-        off[i, 3 if kind == "r" else 2] = False
-    return int(off.sum()) == 1
+    return int((np.abs(_rows(came) - _rows(wanted)) > NEAR).sum()) == 1
 
 
 def _moves_columns(key: str) -> bool:
@@ -170,14 +167,15 @@ def _fitting(
     there = _invariant(links[..., 0], links[..., 1], rows[:, :-1, 2], came.joints)
     off = np.abs(there - invariants(came)) > NEAR * (1 + np.abs(there))
     near = np.flatnonzero(~off.any(axis=(1, 2)) & same_kinds)[:MATCHES]
+    ours = _told_in(came.convention, wanted)
     found: list[Explanation] = []
     for k in near.tolist():
         explanation, table = whole[k]
-        wrong = chain_of(table)
+        wrong = _told_in(came.convention, chain_of(table))
         if (
             _holds_displaced(table, came)
             and matches(wrong, came)
-            and (_stands_there(wrong, wanted, came) or _mends(wrong, wanted, came, matches))
+            and (_stands_there(wrong, ours, came) or _mends(wrong, ours, came, matches))
         ):
             found.append(explanation)
             if len(found) > ALTERNATIVES:
@@ -190,7 +188,7 @@ def _stands_there(wrong: Chain, wanted: Chain, came: Chain) -> bool:
 
     Other slips may move the tip alike, in other places: of them nothing is known to be made.
     """
-    there, before, after = (_told(chain, came.convention) for chain in (came, wanted, wrong))
+    there, before, after = (_told(chain) for chain in (came, wanted, wrong))
     changed = ~_same(before, after)
     return bool(_same(there, after)[changed].all())
 
@@ -200,7 +198,7 @@ def _mends(wrong: Chain, wanted: Chain, came: Chain, matches: Matches) -> bool:
 
     It may choose other axes than our table does: then their signs are others too.
     """
-    before, after, there = (_rows(chain, came.convention) for chain in (wanted, wrong, came))
+    before, after, there = (_rows(chain) for chain in (wanted, wrong, came))
     cells = tuple(np.argwhere(~_same(before, after)).T)
     if not 0 < len(cells[0]) <= 2 or _same(before, there).all():
         return False
@@ -214,19 +212,21 @@ def _mends(wrong: Chain, wanted: Chain, came: Chain, matches: Matches) -> bool:
     return False
 
 
-def _rows(chain: Chain, convention: str) -> Floats:
-    """Rows in one of the conventions, with the variables at 0."""
-    chain = chain.to_standard() if convention == "standard" else chain.to_modified()
+def _told_in(convention: str, chain: Chain) -> Chain:
+    return chain.to_standard() if convention == "standard" else chain.to_modified()
+
+
+def _rows(chain: Chain) -> Floats:
+    """Rows with the variables at 0."""
     rows = np.array(chain.rows).reshape(-1, 4)
     for i, kind in enumerate(chain.kinds):
         rows[i, 3 if kind == "r" else 2] = 0
     return rows
 
 
-def _told(chain: Chain, convention: str) -> Floats:
+def _told(chain: Chain) -> Floats:
     """All numbers of a table but its variables; angles by cosine and sine."""
-    rows = _rows(chain, convention)
-    chain = chain.to_standard() if convention == "standard" else chain.to_modified()
+    rows = _rows(chain)
     angles = np.array([np.cos(rows[:, ::3]), np.sin(rows[:, ::3])])
     ends = np.concatenate([chain.base.ravel(), chain.grasper.ravel()])
     return np.concatenate([angles.ravel(), rows[:, 1:3].ravel(), chain.offset, ends])

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from dhlab.diagnosis.paths import Part, joints_of
 from dhlab.diagnosis.renaming import Naming
 from dhlab.diagnosis.slips import verdict_of
 from dhlab.diagnosis.values import Floats, Unreadable, numbers
@@ -14,6 +15,7 @@ from dhlab.diagnosis.zeros import Zeros
 from dhlab.kinematics.chain import Chain
 
 NEAR = 1e-4
+COUNTED = "In which unit, and from which zero, does each joint count?"
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +35,7 @@ class Beside:
 
     def off(
         self,
-        chains: Sequence[Chain],
+        wanted: Sequence[Part],
         values: Sequence[Mapping[str, Any]],
         named: Naming,
         zero_free: bool,
@@ -42,54 +44,55 @@ class Beside:
 
         Parameters
         ----------
-        chains : sequence of Chain
-            As they are wanted.
+        wanted : sequence of Part
         values : sequence of mapping
             What came.
         named : Naming
             Of all joints. What it leaves open is chosen so that as much fits as can.
         zero_free : bool
         """
-        limits = [_limits(v, c.n) for v, c in zip(values, chains, strict=True)]
-        came = np.zeros(0) if self.q is None else configuration(values, chains)
+        limits, came = np.zeros((0, 2)), np.zeros(0)
+        if self.limits:
+            told = zip(values, wanted, strict=True)
+            limits = np.vstack([_limits(value, part.chain.n) for value, part in told])
+        if self.q is not None:
+            came = configuration(values, wanted)
         ways = [named]
         if zero_free:
-            named = self._by_limits(chains, np.vstack(limits), named)
-            ways = [named, self._by_pose(chains, came, named)]
-        wrong = [self._off(chains, limits, came, way) for way in ways]
+            kinds = "".join(part.chain.joints for part in wanted)
+            named = self._by_limits(wanted, limits, kinds, named)
+            ways = [named, self._by_pose(came, kinds, named)]
+        wrong = [self._off(wanted, limits, came, way) for way in ways]
         return wrong[0] if all(wrong) else None
 
     def _off(
-        self, chains: Sequence[Chain], limits: Sequence[Floats], came: Floats, named: Naming
+        self, wanted: Sequence[Part], limits: Floats, came: Floats, named: Naming
     ) -> tuple[int, Verdict] | None:
         """Compare part after part by one renaming."""
-        start = 0
-        for i, chain in enumerate(chains):
-            own = slice(start, start + chain.n)
-            start += chain.n
+        for i, (part, own) in enumerate(zip(wanted, joints_of(wanted), strict=True)):
             signs, offsets = named.signs[own], named.zeros.offsets[own]
-            wrong = _limits_off(chain, limits[i], signs, offsets) if self.limits else None
+            wrong = _limits_off(part.chain, limits[own], signs, offsets) if self.limits else None
             if wrong is None and self.q is not None:
-                wrong = _stands_off(chain, came[own], signs * self.q[own] + offsets)
+                wrong = _stands_off(part.chain, came[own], signs * self.q[own] + offsets)
             if wrong is not None:
                 return i, wrong
         return None
 
-    def _by_limits(self, chains: Sequence[Chain], limits: Floats, named: Naming) -> Naming:
+    def _by_limits(
+        self, wanted: Sequence[Part], limits: Floats, kinds: str, named: Naming
+    ) -> Naming:
         """Choose open zeros, and full turns, so that limits fit."""
         zeros = named.zeros
         if self.limits:
-            kinds = "".join(chain.joints for chain in chains)
-            wanted = named.signs[:, None] * np.vstack([chain.limits for chain in chains])
-            for i, (told, asked) in enumerate(zip(limits, np.sort(wanted), strict=True)):
-                zeros = _fitted(zeros, i, _shifts(told, asked), kinds[i] == "r")
+            asked = named.signs[:, None] * np.vstack([part.chain.limits for part in wanted])
+            for i, (told, ends) in enumerate(zip(limits, np.sort(asked), strict=True)):
+                zeros = _fitted(zeros, i, _shifts(told, ends), kinds[i] == "r")
         return Naming(named.signs, zeros)
 
-    def _by_pose(self, chains: Sequence[Chain], came: Floats, named: Naming) -> Naming:
+    def _by_pose(self, came: Floats, kinds: str, named: Naming) -> Naming:
         """Choose zeros that are still open so that it stands as it should."""
         zeros = named.zeros
         if self.q is not None:
-            kinds = "".join(chain.joints for chain in chains)
             for i, at in enumerate((came - named.signs * self.q).tolist()):
                 zeros = zeros.at(i, at, kinds[i] == "r")
         return Naming(named.signs, zeros)
@@ -111,12 +114,12 @@ def _fitted(zeros: Zeros, joint: int, shifts: Sequence[float], turning: bool) ->
     return next((way for way, fit in zip(ways, fits, strict=True) if fit), zeros)
 
 
-def configuration(values: Sequence[Mapping[str, Any]], chains: Sequence[Chain]) -> Floats:
+def configuration(values: Sequence[Mapping[str, Any]], wanted: Sequence[Part]) -> Floats:
     """Read where the joints of all parts stand, shape (n,), or `Unreadable`."""
     return np.concatenate(
         [
-            numbers(v.get("q"), [(c.n,)], "the configuration")
-            for v, c in zip(values, chains, strict=True)
+            numbers(value.get("q"), [(part.chain.n,)], "the configuration")
+            for value, part in zip(values, wanted, strict=True)
         ]
     )
 
@@ -142,26 +145,25 @@ def _limits_off(chain: Chain, came: Floats, signs: Floats, offsets: Floats) -> V
         return None
     joint, end = np.argwhere(off)[0].tolist()
     word = ("lower", "upper")[end]
-    off_limit = f"he {word} limit of joint {joint + 1} is not the one asked for."
+    which = f"{word} limit of joint {joint + 1} is not the one asked for."
     flipped = ", ".join(str(i + 1) for i in np.flatnonzero(signs < 0))
-    seen = f"The table is right. T{off_limit}"
+    seen = f"The table is right. The {which}"
     if flipped:
         seen = (
             f"The tip moves as it should if joint {flipped} counts the other way than in our "
-            f"table; then t{off_limit}"
+            f"table; then the {which}"
         )
     turning = np.array([k == "r" for k in chain.kinds])[:, None]
-    question = "In which unit, and from which zero, does each joint count?"
     ways: list[tuple[Mistake, Floats]] = [
         (
-            mistake("limits-degrees", "the limits are given in degrees", question),
+            mistake("limits-degrees", "the limits are given in degrees", COUNTED),
             np.where(turning, np.degrees(wanted), wanted),
         ),
         (
             mistake("limits-missing", "no limits are given", "How far can each joint go?"),
             np.broadcast_to([-np.inf, np.inf], wanted.shape),
         ),
-        *(_sense_ways(chain) if (signs < 0).any() else _zero_ways(chain, wanted)),
+        *(_sense_ways(chain) if flipped else _zero_ways(chain, wanted)),
     ]
     found = [(m,) for m, made in ways if np.allclose(came, made, rtol=NEAR, atol=NEAR)]
     return verdict_of(seen, found)
@@ -169,12 +171,11 @@ def _limits_off(chain: Chain, came: Floats, signs: Floats, offsets: Floats) -> V
 
 def _zero_ways(chain: Chain, wanted: Floats) -> list[tuple[Mistake, Floats]]:
     """Limits as they are where a table is ours but for its zeros."""
-    question = "In which unit, and from which zero, does each joint count?"
     other = "the limits are those of joints that count the other way"
     return [
-        (mistake("limits-sign", other, question), -wanted[:, ::-1]),
+        (mistake("limits-sign", other, COUNTED), -wanted[:, ::-1]),
         (
-            mistake("limits-zero", "the limits count from another zero", question),
+            mistake("limits-zero", "the limits count from another zero", COUNTED),
             np.sort(chain.limits, axis=1),
         ),
     ]

@@ -53,9 +53,7 @@ def read_parts(
         With a sentence for the student.
     """
     if len(wanted) == 1:
-        (like,) = wanted
-        own = like.chain.replace(base=like.base)
-        chain = read_chain(value, own, zero_free)
+        chain = read_chain(value, wanted[0].chain, zero_free)
         return [Part(chain, -1, 0, chain.base)]
     order = [next(k for k, v in enumerate(values) if v is c) for c in value["components"]]
     parts = []

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from dhlab.diagnosis.beside import Beside, configuration
+from dhlab.diagnosis.gauge import Match
 from dhlab.diagnosis.hanging import parts_told, read_parts
 from dhlab.diagnosis.paths import Part, parts_of, tips
 from dhlab.diagnosis.renaming import Freedom, Naming, apart, joined, namings
@@ -138,15 +139,8 @@ class RobotTask:
         tables = self._tables(wanted, values)
         if not tables.right:
             return tables
-        found = [t.matching(v) for t, v in zip(self._tasks(wanted), values, strict=True)]
-        named = joined([match for match in found if match is not None])
-        off = apart(
-            wanted,
-            came,
-            named,
-            self._free,
-            named.back(configuration(values, [part.chain for part in wanted])),
-        )
+        named = joined(self._matched(wanted, values))
+        off = apart(wanted, came, named, self._free, named.back(configuration(values, wanted)))
         if off is None:
             return self._beside(wanted, values, named) or tables
         i, T, goal = off
@@ -170,16 +164,20 @@ class RobotTask:
         """Say which of the right robots it is; nothing of the one that has our tables."""
         if all(_is_ours(a.chain, b.chain) for a, b in zip(wanted, came, strict=True)):
             return ""
+        right = self._matched(wanted, values)
+        return OTHERWISE if len(right) < len(wanted) else " ".join(filter(None, map(choice, right)))
+
+    def _matched(self, wanted: Sequence[Part], values: Sequence[Mapping[str, Any]]) -> list[Match]:
+        """Return the renamings of the parts whose table is right by itself."""
         found = [t.matching(v) for t, v in zip(self._tasks(wanted), values, strict=True)]
-        right = [match for match in found if match is not None]
-        return OTHERWISE if len(right) < len(found) else " ".join(filter(None, map(choice, right)))
+        return [match for match in found if match is not None]
 
     def _beside(
         self, wanted: Sequence[Part], values: Sequence[Mapping[str, Any]], named: Naming
     ) -> Verdict | None:
         """Judge limits and where it stands, where they are asked for."""
         asked = Beside(self.limits, None if self.q is None else np.array(self.q, np.float64))
-        wrong = asked.off([part.chain for part in wanted], values, named, self.zero_free)
+        wrong = asked.off(wanted, values, named, self.zero_free)
         return None if wrong is None else self._of_part(*wrong)
 
     def _of_part(self, i: int, verdict: Verdict) -> Verdict:
@@ -187,10 +185,7 @@ class RobotTask:
         return replace(verdict, seen=f"{names[i]}: {verdict.seen}") if names else verdict
 
     def _tasks(self, wanted: Sequence[Part]) -> list[TableTask]:
-        free = self._free
-        if not self._names():
-            wanted = [part._replace(chain=part.chain.replace(base=part.base)) for part in wanted]
-        return [TableTask(part.chain, *free) for part in wanted]
+        return [TableTask(part.chain, *self._free) for part in wanted]
 
     @property
     def _free(self) -> Freedom:
@@ -199,7 +194,10 @@ class RobotTask:
     def _wanted(self) -> list[Part]:
         if isinstance(self.robot, Chain):
             return [Part(self.robot, -1, 0, self.robot.base)]
-        return parts_of(self.robot.branches)
+        parts = parts_of(self.robot.branches)
+        if len(parts) == 1:  # a chain with all that stands before it
+            parts = [part._replace(chain=part.chain.replace(base=part.base)) for part in parts]
+        return parts
 
     def _names(self) -> list[str]:
         """Names of the parts; none where the robot is one chain."""

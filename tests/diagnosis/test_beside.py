@@ -91,3 +91,11 @@ def test_a_table_with_its_axis_turned_over_needs_other_limits(keys):
     verdict = task.judge(came(swing, swing.limits, [0, 0], **turned))
     assert keys(verdict) == [{"limits-sense"}]
     assert "if joint 1, 2 counts the other way than in our table" in verdict.text
+
+
+def test_limits_and_a_pose_that_nobody_asks_for_are_not_read():
+    told = {"rows": POLAR.rows, "joints": "rpr", "grasper": POLAR.grasper}
+    told |= {"limits": "none", "q": "anywhere"}
+    assert RobotTask(POLAR).judge([((), told)]).right
+    text = RobotTask(POLAR, limits=True).judge([((), told)]).text
+    assert text == "The limits are not made of numbers."
